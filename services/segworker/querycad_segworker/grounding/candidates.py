@@ -55,6 +55,11 @@ def score(features: dict[str, float]) -> float:
     return math.fsum(table.get(name, 0.0) * value for name, value in features.items())
 
 
+def true_of(**features: bool) -> dict[str, float]:
+    """The features that are so, each with 1."""
+    return {name: 1.0 for name, holds in features.items() if holds}
+
+
 def pruned(ways: Sequence[Candidate]) -> list[Candidate]:
     """The best candidates, of those to the same parts the best one."""
     best: dict[tuple[str, ...], Candidate] = {}

@@ -5,15 +5,14 @@ from __future__ import annotations
 import math
 from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cached_property, partial
+from functools import cached_property
 
-from querycad_contracts import Grounded, Measure, Part, PartKind, PartQuery, Side
+from querycad_contracts import Grounded, Measure, Part, PartKind, PartQuery
 from querycad_language.lexicon import Adjective, Sense, lexicon
 from querycad_segworker.relations import orders
-from querycad_segworker.relations.bore_steps import over_rings
+from querycad_segworker.relations.bore_steps import step_walls
 from querycad_segworker.relations.nearby import Nearby
 from querycad_segworker.relations.roles import ROLES, Kinds
-from querycad_segworker.vectors import dot
 
 from .names import all_words, holds, share, vocabulary
 from .printed import printed_labels
@@ -34,7 +33,6 @@ _IMPLIED = {
     "gear": ("toothed",),
 }
 """Attributes that all parts of a kind have."""
-_ON_PAPER = {Side.TOP: Side.BACK, Side.BOTTOM: Side.FRONT}  # what is up and down in the view from above
 _TURNED = {"vertical": "horizontal", "horizontal": "vertical"}
 
 
@@ -73,9 +71,9 @@ class Inventory:
         return [*sorted(bodies, key=lambda group: orders.size(group[0]), reverse=True)[:3], *groups]
 
     @cached_property
-    def largest(self) -> float:
-        """The longest extent of the model, metres."""
-        return max(self.model.extents) if self.model is not None else 1.0
+    def near(self) -> float:
+        """How far apart are parts that lie equally far towards a side, metres? A fiftieth of the longest extent."""
+        return 0.02 * (max(self.model.extents) if self.model is not None else 1.0)
 
     @property
     def lies(self) -> bool:
@@ -127,7 +125,7 @@ class Inventory:
             return []  # the name of the only body says what the whole is
         found = [part for part in self.kinds.get(*sense.kind) if self._fits(part, sense)]
         if sense.step is not None:
-            found = self._steps(found, sense.step)
+            found = step_walls(found, sense.step == "widest", self.kinds)
         return orders.without_twins(self._picked(found, sense.pick) if sense.pick else found)
 
     def _fits(self, part: Part, sense: Sense) -> bool:
@@ -169,25 +167,6 @@ class Inventory:
             return True
         return part.diameter < body.diameter / orders.SAME_SIZE
 
-    def _steps(self, holes: Sequence[Part], step: str) -> list[Part]:
-        """The wall of the widest or the narrowest step of each hole, seen from where it opens; or its counterbore."""
-        walls = []
-        inner = sorted(self.kinds.get("cylinder"), key=lambda p: -(p.height or p.length or 0.0))
-        grooved = {face for groove in self.kinds.get("groove") for face in groove.faces}
-        inner = [p for p in inner if "inner" in p.tags and p.radius and not grooved.issuperset(p.faces)]
-        pick = max if step == "widest" else min
-        sunk = self.kinds.get("counterbore", "spotface") if step == "widest" else []
-        for hole in holes:
-            pieces = [p for p in inner if set(p.faces) <= set(hole.faces)]
-            longest = {round(p.radius or 0.0, 7): p for p in reversed(pieces)}
-            own = {radius: over_rings(p, pieces, hole.axis) for radius, p in longest.items()}
-            if len(own) > 1:
-                opening = tuple(s for s in hole.sides if hole.normal and dot(s.outward, hole.normal) > 0.5)
-                wall = own[pick(own)]
-                wall = next((p for p in sunk if set(wall.faces) <= set(p.faces)), wall)  # as deep as with its chamfer
-                walls.append(wall.model_copy(update={"sides": opening or hole.sides}))
-        return walls
-
     # Names
 
     def body_named(self, words: Sequence[str]) -> list[tuple[Part, float]]:
@@ -204,26 +183,6 @@ class Inventory:
 
     # Orders
 
-    def at_end(self, found: Sequence[Part], sides: Sequence[Side]) -> list[Part]:
-        """Those whose middles lie farthest towards each of the sides, give or take a fiftieth of the model.
-
-        'The top left hole' of a plate that lies flat is the one at the back, as on a drawing of it.
-        """
-        kept, near = list(found), 0.02 * self.largest
-        for side in sides:
-            first = orders.first(kept, partial(_towards, side), near)
-            if len(first) == len(kept) and len(sides) > 1 and side in _ON_PAPER:
-                first = orders.first(kept, partial(_towards, _ON_PAPER[side]), near)
-            kept = first
-        return kept
-
-    def beyond_middle(self, found: Sequence[Part], sides: Sequence[Side]) -> bool:
-        """Do all lie in the other half of the model than one of the sides, by more than a fiftieth of it?"""
-        middle, far = self.model, 0.02 * self.largest
-        if middle is None:
-            return False
-        return any(all(_towards(side, p) < _towards(side, middle) - far for p in found) for side in sides)
-
     def ordered(self, found: Sequence[Part], adjective: Adjective, count: int | None) -> list[Part]:
         """Those that an adjective such as 'large' or 'outer' chooses among parts that differ in a measure or place."""
         if adjective.order is None or len(found) < 2 or self.model is None:
@@ -234,10 +193,6 @@ class Inventory:
         aside = order == "distance"
         values = [orders.off_center(p, middle) for p in found] if aside else orders.compared(found, order)
         return orders.end_of(found, values, adjective.most, count)
-
-
-def _towards(side: Side, part: Part) -> float:
-    return dot(part.center, side.outward)
 
 
 def values_of(part: Part, measure: Measure | None) -> list[float]:

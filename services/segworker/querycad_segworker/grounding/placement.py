@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 
 from querycad_contracts import Grounded, Part, PartQuery, Place, Side
+from querycad_segworker.relations.orders import at_end, beyond_middle
 from querycad_segworker.relations.related import DIRECTIONS, nearest, related
 
-from .candidates import Candidate, Request, pruned, score, through
+from .candidates import Candidate, Request, pruned, score
 from .names import all_words
 
 _LYING = {Side.FRONT: Side.TOP, Side.BACK: Side.BOTTOM}
@@ -24,12 +24,11 @@ def placed(request: Request, way: Candidate) -> Sequence[Candidate]:
             several = place.relation == "with" or (not place.relation and request.query.count)
             any_of = {"plural": True} if several and not place.what.definite else {}
             holders = request.ground(place.what.model_copy(update=any_of), 3)  # 'with a ring', 'the two eye bores'
-            ways = pruned(through(ways, [(place, holders)], partial(_at_place, request)))
+            ways = pruned([after for one in ways for after in _at_place(request, one, place, holders)])
     return ways
 
 
-def _at_place(request: Request, way: Candidate, asked: tuple[Place, Sequence[Grounded]]) -> Sequence[Candidate]:
-    place, holders = asked
+def _at_place(request: Request, way: Candidate, place: Place, holders: Sequence[Grounded]) -> Sequence[Candidate]:
     if not way.parts or place.what is None:
         return [way]
     name = "compound" if not place.relation else "trait" if place.relation == "with" else "place"
@@ -119,8 +118,11 @@ def _at_ends(request: Request, way: Candidate, ends: Sequence[Side]) -> Sequence
     named = [p for p in way.parts if not set(all_words(p.name)).isdisjoint(ends)]
     if named:
         return [way.to(named, "end_named")]
-    farthest = way.to(request.inventory.at_end(way.parts, ends), "end_adjective")
-    if request.inventory.beyond_middle(farthest.parts, ends):  # 'the hole in the left end' that is at the right one
+    farthest = way.to(at_end(way.parts, ends, request.inventory.near), "end_adjective")
+    model, near = request.inventory.model, request.inventory.near
+    if model is not None and beyond_middle(
+        farthest.parts, ends, model, near
+    ):  # 'the hole in the left end' that is at the right one
         return [farthest.to(farthest.parts, "end_denied"), way.to((), "end_empties")]
     seen = _seen(way, ends)
     return [farthest, way.to(seen, "end_seen")] if 0 < len(seen) < len(way.parts) else [farthest]
@@ -129,7 +131,7 @@ def _at_ends(request: Request, way: Candidate, ends: Sequence[Side]) -> Sequence
 def _from_sides(request: Request, way: Candidate, sides: Sequence[Side]) -> Sequence[Candidate]:
     if not way.parts:
         return [way]
-    seen, ends = _seen(way, sides), request.inventory.at_end(way.parts, sides)
+    seen, ends = _seen(way, sides), at_end(way.parts, sides, request.inventory.near)
     ways = [way.to(seen, "side_agrees" if seen else "side_empties")]
     reversible = not seen and request.inventory.lies and _LYING.keys() >= set(sides)
     if reversible and (turned := _seen(way, [_LYING[side] for side in sides])):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import colorsys
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 from querycad_contracts import Measure, Part, PartKind, Relation, SizeFilter
 from querycad_language.lexicon import Adjective, lexicon
@@ -85,7 +86,7 @@ def _drawn_for(part: Part, name: str, holes: Mapping[str, float], near_m: float)
 def narrowed(request: Request, way: Candidate) -> Sequence[Candidate]:
     """Adjectives, and what the parts must not have; words that are not known, which the names of bodies may hold."""
     inventory, query = request.inventory, request.query
-    ways = through([way], query.adjectives, lambda one, name: _adjective(inventory, one, name, query.count))
+    ways = through([way], query.adjectives, partial(_adjective, request))
     for adjective in (lexicon().adjectives[name] for name in query.lacking if name in lexicon().adjectives):
         tags = (*adjective.tags, *adjective.fallback[: 0 if adjective.loose else None])
         left = [(one, [p for p in one.parts if not inventory.has(p, tags)]) for one in ways]
@@ -103,8 +104,8 @@ def _unknown(inventory: Inventory, way: Candidate, words: Sequence[str]) -> Cand
     return way.to(way.parts, "unknown_words", float(len(words)), f"'{' '.join(words)}'")
 
 
-def _adjective(inventory: Inventory, way: Candidate, name: str, count: int | None) -> Sequence[Candidate]:
-    adjective = lexicon().adjectives.get(name)
+def _adjective(request: Request, way: Candidate, name: str) -> Sequence[Candidate]:
+    inventory, adjective = request.inventory, lexicon().adjectives.get(name)
     if adjective is None or not way.parts:
         return [way]
     having = [p for p in way.parts if adjective.tags and inventory.has(p, adjective.tags)]
@@ -117,7 +118,7 @@ def _adjective(inventory: Inventory, way: Candidate, name: str, count: int | Non
         return [way.to(wider, "adjective_wider")]
     several = len(way.parts) > 1 or not adjective.tags  # what one alone is, its tags tell
     if adjective.order and several and not all(inventory.has(p, adjective.opposite) for p in way.parts):
-        return _ordered(inventory, way, adjective, count, name)
+        return _ordered(request, way, adjective, name)
     if adjective.lacks:
         return [way.to([p for p in way.parts if not inventory.has(p, adjective.lacks)], "adjective_agrees")]
     return _lacked(inventory, way, adjective, name)
@@ -135,19 +136,14 @@ def _lacked(inventory: Inventory, way: Candidate, adjective: Adjective, name: st
     return kept(way, (), feature, f"'{name}'")
 
 
-def _ordered(
-    inventory: Inventory, way: Candidate, adjective: Adjective, count: int | None, name: str
-) -> Sequence[Candidate]:
+def _ordered(request: Request, way: Candidate, adjective: Adjective, name: str) -> Sequence[Candidate]:
     """Those that are most so: 'the large holes', 'the central hole' where none is in the middle."""
-    ordered = inventory.ordered(way.parts, adjective, count)
+    ordered = request.inventory.ordered(way.parts, adjective, request.query.count)
     empty = [way.to((), "adjective_empties")] if adjective.tags else []  # the nearest to the middle is not 'central'
     if len(ordered) == len(way.parts):
         return [way.to(ordered, "adjective_nothing"), *empty]
-    return [
-        way.to(ordered, "adjective_order"),
-        way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'"),
-        *empty,
-    ]
+    dropped = way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'")
+    return [way.to(ordered, "adjective_order"), dropped, *empty]
 
 
 def sized(request: Request, way: Candidate) -> Sequence[Candidate]:
@@ -170,21 +166,14 @@ def _of_size(way: Candidate, size: SizeFilter) -> Sequence[Candidate]:
 def compares(value: float, size: SizeFilter) -> bool:
     """Does a value compare so with a stated size? Metres; equal is within drawing accuracy or half a per cent."""
     low, slack = size.low, min(1e-6, 1e-3 * abs(size.low))
-    match size.relation:
-        case Relation.EQUAL:
-            return abs(value - low) <= max(DRAWN_M if low > 1e-3 else 0.05 * low, 0.002 * low)
-        case Relation.ABOUT:
-            return abs(value - low) <= 0.1 * low
-        case Relation.UNEQUAL:
-            return abs(value - low) > DRAWN_M
-        case Relation.LESS:
-            return value < low - slack
-        case Relation.AT_MOST:
-            return value <= low + slack
-        case Relation.MORE:
-            return value > low + slack
-        case Relation.AT_LEAST:
-            return value >= low - slack
-        case Relation.BETWEEN:
-            least, most = sorted((low, size.high or low))
-            return least - slack <= value <= most + slack
+    apart, (least, most) = abs(value - low), sorted((low, size.high or low))
+    return {
+        Relation.EQUAL: apart <= max(DRAWN_M if low > 1e-3 else 0.05 * low, 0.002 * low),
+        Relation.ABOUT: apart <= 0.1 * low,
+        Relation.UNEQUAL: apart > DRAWN_M,
+        Relation.LESS: value < low - slack,
+        Relation.AT_MOST: value <= low + slack,
+        Relation.MORE: value > low + slack,
+        Relation.AT_LEAST: value >= low - slack,
+        Relation.BETWEEN: least - slack <= value <= most + slack,
+    }[size.relation]

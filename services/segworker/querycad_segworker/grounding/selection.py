@@ -11,7 +11,7 @@ from querycad_segworker.relations.nearby import to_nearest
 from querycad_segworker.relations.orders import by_size, compared, extreme, size
 from querycad_segworker.vectors import dot
 
-from .candidates import Candidate, Request, kept, through
+from .candidates import Candidate, Request, kept, through, true_of
 
 LARGER = 1.2  # what is so much larger than all others stands out by its size
 MOST_GROUPS = 8  # of more sizes only the largest is a reading of 'the hole': nobody means the fourth of nine
@@ -93,13 +93,12 @@ def counted(request: Request, way: Candidate) -> Sequence[Candidate]:
         return [way.to(way.parts, "count_agrees")]
     groups = [group for group in by_size(way.parts) if len(group) == count]
     ordered = sorted(way.parts, key=size, reverse=True)
-    if not groups and count < len(ordered) and size(ordered[count - 1]) > LARGER * size(ordered[count]):
-        largest = [way.to(ordered[:count], "count_largest")]  # 'the two bores' of a lever with screw holes
-    else:
-        largest = []
+    stand_out = not groups and count < len(ordered) and size(ordered[count - 1]) > LARGER * size(ordered[count])
     differs = min(2.0, abs(math.log((len(way.parts) or 0.5) / count)))
     return [
-        *largest,
+        *(
+            [way.to(ordered[:count], "count_largest")] if stand_out else []
+        ),  # 'the two bores' of a lever with screw holes
         *(way.to(group, "count_group", 1.0 / len(groups)) for group in groups[:3]),
         way.to(way.parts, "count_differs", differs),
     ]
@@ -144,11 +143,11 @@ def _of_groups(query: PartQuery, way: Candidate, groups: Sequence[Sequence[Part]
     """Those of one kind and size."""
     sizes = [size(group[0]) for group in groups]
     for group, own in zip(groups, sizes, strict=True):
-        features = {
-            "group_for_plural" if query.plural else "group_for_one": True,
-            "group_one": len(group) == 1,
-            "group_largest": own == max(sizes),
-            "group_most": len(group) == max(map(len, groups)) > 1,
-        }
-        told = way.features | {name: 1.0 for name, holds in features.items() if holds}
-        yield Candidate(tuple(group), told, way.unchecked)
+        told = true_of(
+            group_for_plural=query.plural,
+            group_for_one=not query.plural,
+            group_one=len(group) == 1,
+            group_largest=own == max(sizes),
+            group_most=len(group) == max(map(len, groups)) > 1,
+        )
+        yield Candidate(tuple(group), way.features | told, way.unchecked)

@@ -10,7 +10,7 @@ from querycad_language.lexicon import Noun, Sense, lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.tokens import is_english
 
-from .candidates import Candidate, Request, taken_for
+from .candidates import Candidate, Request, taken_for, true_of
 from .inventory import Inventory
 
 SOLID = frozenset((PartKind.BODY, PartKind.PIPE, PartKind.RING_SECTOR, PartKind.TORUS, PartKind.GEAR))
@@ -40,7 +40,7 @@ def bases(request: Request) -> Iterator[Candidate]:
     if lexicon().wholes & set(query.adjectives) and inventory.model is not None:
         yield Candidate((inventory.model,), _GENERIC)  # 'the complete dish'
     if noun is not None:
-        found = list(_senses(inventory, noun, query))
+        found = list(_senses(inventory, noun, query, query.noun))
         yield from found
         if all(not way.parts or "kin_instead" in way.features for way in found):
             yield from _others(inventory, query, words)  # 'counterbore cutter'
@@ -79,16 +79,15 @@ def _others(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> Ite
     """What other words of a phrase mean whose noun the model lacks."""
     for word in words[:-1]:
         if (noun := lexicon().nouns.get(word)) is not None and not noun.product:
-            for way in _senses(inventory, noun, query.model_copy(update={"noun": word})):
-                if way.parts:
-                    yield way.to(way.parts, "modifier_means")
+            found = _senses(inventory, noun, query, word)
+            yield from (way.to(way.parts, "modifier_means") for way in found if way.parts)
 
 
 def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> Iterator[Candidate]:
     """Nothing is known of the noun: its last word may be one, or it is what the whole model is."""
     last = lexicon().nouns.get(words[-1]) if words else None
     if last is not None and len(words) > 1:
-        for way in _senses(inventory, last, query.model_copy(update={"noun": words[-1]})):
+        for way in _senses(inventory, last, query, words[-1]):
             yield way.to(way.parts, "unknown_words", float(len(words) - 1), f"'{' '.join(words[:-1])}'")
     if inventory.model is not None and not query.plural:
         yield Candidate((inventory.model,), {"unknown_whole": 1.0, "whole_sense": 1.0})
@@ -106,38 +105,32 @@ def _guessed(inventory: Inventory, query: PartQuery, own: Sequence[str] = ()) ->
         yield Candidate(tuple(group), {"guessed": 1.0}, (taken_for(query.noun, group[0].kind),))
 
 
-def _senses(inventory: Inventory, noun: Noun, query: PartQuery) -> Iterator[Candidate]:
-    """The parts of each sense; any of the kind, or of a kind like it; of a product the whole."""
-    said = query.noun
+def _senses(inventory: Inventory, noun: Noun, query: PartQuery, said: str) -> Iterator[Candidate]:
+    """The parts of each sense; any of the kind, or of a kind like it; of a product the whole. `said`: the noun."""
     picked = query.plural or query.adjectives or query.sizes or query.ranks or query.threads or query.places
     plain = {_unpicked(sense): sense.stretch for sense in noun.senses if sense.pick is None and picked}
     seen: set[tuple[str, ...]] = set()
-    rank = 0
     for sense in noun.senses:
         if sense.pick is not None and plain.get(_unpicked(sense), 1.0) < sense.stretch:
             continue  # the largest is meant where nothing else is said that picks: 'the bore'
         parts = inventory.of_sense(sense)
         key = tuple(part.id for part in parts)
-        if not parts or key in seen or (rank and NAMELESS.issuperset(sense.kind)):
+        if not parts or key in seen or (seen and NAMELESS.issuperset(sense.kind)):
             continue
+        whole = parts[0].kind == "model"
+        rank = {"sense_stretch": sense.stretch, "sense_rank": float(len(seen))}
+        told = true_of(sense_named=bool(sense.name), whole_sense=whole, whole_alone=whole and inventory.alone)
         seen.add(key)
-        features = {"sense_stretch": sense.stretch, "sense_rank": float(rank)}
-        rank += 1
-        if sense.name:
-            features["sense_named"] = 1.0
-        if parts[0].kind == "model":
-            features["whole_sense"] = 1.0
-            if inventory.alone:
-                features["whole_alone"] = 1.0
-        yield Candidate(tuple(parts), features)
+        yield Candidate(tuple(parts), rank | told)
+    own = len(seen)
     for way in _wider(inventory, noun.senses, said):
         key = tuple(part.id for part in way.parts)
         if key and key not in seen:
             seen.add(key)
-            yield way if rank else way.to(way.parts, "kin_instead")
+            yield way if own else way.to(way.parts, "kin_instead")
     if noun.product and inventory.model is not None and not any("model" in sense.kind for sense in noun.senses):
         yield Candidate((inventory.model,), {"whole_sense": 1.0, "sense_stretch": 0.5})
-    if rank == 0:
+    if not own:
         yield Candidate((), {"nothing": 1.0})
 
 

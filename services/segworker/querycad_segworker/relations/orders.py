@@ -5,15 +5,17 @@ from __future__ import annotations
 from bisect import bisect_left, insort
 from collections import defaultdict
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import pairwise
 
-from querycad_contracts import Part, PartKind
-from querycad_segworker.vectors import line_distance, norm, sub
+from querycad_contracts import Part, PartKind, Side
+from querycad_segworker.vectors import dot, line_distance, norm, sub
 
 SAME_SIZE = 1.02
 """Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
 _NO_SIZE = 1e-9
 """Metres by which no sizes differ."""
+_ON_PAPER = {Side.TOP: Side.BACK, Side.BOTTOM: Side.FRONT}  # what is up and down in the view from above
 _SOLIDS = frozenset(kind for kind in PartKind if kind.stands_out) - {PartKind.ELEVATION}
 
 
@@ -38,6 +40,29 @@ def first(found: Sequence[Part], value: Callable[[Part], float], near: float) ->
     """Those with the highest value, and with one near to it."""
     values = [value(part) for part in found]
     return [part for part, own in zip(found, values, strict=True) if own >= max(values) - near]
+
+
+def at_end(found: Sequence[Part], sides: Sequence[Side], near: float) -> list[Part]:
+    """Those whose middles lie farthest towards each of the sides, and those near to them.
+
+    'The top left hole' of a plate that lies flat is the one at the back, as on a drawing of it.
+    """
+    kept = list(found)
+    for side in sides:
+        farthest = first(kept, partial(_towards, side), near)
+        if len(farthest) == len(kept) and len(sides) > 1 and side in _ON_PAPER:
+            farthest = first(kept, partial(_towards, _ON_PAPER[side]), near)
+        kept = farthest
+    return kept
+
+
+def beyond_middle(found: Sequence[Part], sides: Sequence[Side], model: Part, near: float) -> bool:
+    """Do all lie in the other half of the model than one of the sides, not near to its middle?"""
+    return any(all(_towards(side, p) < _towards(side, model) - near for p in found) for side in sides)
+
+
+def _towards(side: Side, part: Part) -> float:
+    return dot(part.center, side.outward)
 
 
 def size(part: Part) -> float:
