@@ -8,6 +8,7 @@ from functools import partial
 
 from querycad_contracts import Measure, Part, PartKind, Relation, SizeFilter
 from querycad_language.lexicon import Adjective, lexicon
+from querycad_segworker.relations.orders import ordered
 from querycad_segworker.relations.roles import ROLES
 
 from .candidates import Candidate, Request, kept, through
@@ -138,12 +139,14 @@ def _lacked(inventory: Inventory, way: Candidate, adjective: Adjective, name: st
 
 def _ordered(request: Request, way: Candidate, adjective: Adjective, name: str) -> Sequence[Candidate]:
     """Those that are most so: 'the large holes', 'the central hole' where none is in the middle."""
-    ordered = request.inventory.ordered(way.parts, adjective, request.query.count)
+    order, model, parts = adjective.order, request.inventory.model, list(way.parts)
+    if order is not None and model is not None:
+        parts = ordered(way.parts, order, adjective.most, request.query.count, model)
     empty = [way.to((), "adjective_empties")] if adjective.tags else []  # the nearest to the middle is not 'central'
-    if len(ordered) == len(way.parts):
-        return [way.to(ordered, "adjective_nothing"), *empty]
+    if len(parts) == len(way.parts):
+        return [way.to(parts, "adjective_nothing"), *empty]
     dropped = way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'")
-    return [way.to(ordered, "adjective_order"), dropped, *empty]
+    return [way.to(parts, "adjective_order"), dropped, *empty]
 
 
 def sized(request: Request, way: Candidate) -> Sequence[Candidate]:

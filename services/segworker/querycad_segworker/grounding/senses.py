@@ -12,6 +12,7 @@ from querycad_language.tokens import is_english
 
 from .candidates import Candidate, Request, taken_for, true_of
 from .inventory import Inventory
+from .names import share
 
 SOLID = frozenset((PartKind.BODY, PartKind.PIPE, PartKind.RING_SECTOR, PartKind.TORUS, PartKind.GEAR))
 """Kinds that all of a model can be: a pin, a nut, a ring. No model is a keyway or a head."""
@@ -47,7 +48,7 @@ def bases(request: Request) -> Iterator[Candidate]:
         if not (named or request.depth):
             yield from _guessed(inventory, query, [kind for sense in noun.senses for kind in sense.kind])  # 'the latch'
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
-        solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
+        solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses)
         generic = query.deictic or (query.definite and not others and solid and inventory.alone)
         nearest = any(way.features.get("sense_rank") == 0 for way in found)
         thing = bool(noun.senses and noun.senses[0].name) and not (nearest or others or request.depth)
@@ -62,14 +63,14 @@ def bases(request: Request) -> Iterator[Candidate]:
 
 def _by_name(inventory: Inventory, words: Sequence[str], noun: Sequence[str]) -> Iterator[Candidate]:
     """Bodies that are called so, and the model where its file is."""
-    called = False
+    called, bodies = False, [] if inventory.alone else inventory.bodies
     for body_words in dict.fromkeys((tuple(words), tuple(noun))):
-        named = inventory.body_named(body_words)
-        if named:
-            best = max(share for _, share in named)
+        shares = [share(body.name, body_words) for body in bodies]
+        best = max(shares, default=0.0)
+        if best > 0:
             called = called or best == 1.0
-            bodies = tuple(body for body, share in named if share == best)
-            yield Candidate(bodies, {"by_name": 1.0, "name_share": best, "name_all": float(best == 1.0)})
+            named = tuple(body for body, own in zip(bodies, shares, strict=True) if own == best)
+            yield Candidate(named, {"by_name": 1.0, "name_share": best, "name_all": float(best == 1.0)})
     if inventory.model is not None and inventory.file_named(words) and not called:  # 'cap' in 'bottle with cap'
         features = {"file_named": 1.0, "whole_sense": 1.0, "named_words": float(len(words) > 1)}
         yield Candidate((inventory.model,), features)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_left, insort
 from collections import defaultdict
 from collections.abc import Callable, Sequence
@@ -11,8 +12,12 @@ from itertools import pairwise
 from querycad_contracts import Part, PartKind, Side
 from querycad_segworker.vectors import dot, line_distance, norm, sub
 
+CORNER_SHARE = 0.5
+"""In a corner is what lies at least half-way out to two edges."""
 SAME_SIZE = 1.02
 """Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
+WIDE = 0.7
+"""A flange or plate is at least this wide, compared with the widest."""
 _NO_SIZE = 1e-9
 """Metres by which no sizes differ."""
 _ON_PAPER = {Side.TOP: Side.BACK, Side.BOTTOM: Side.FRONT}  # what is up and down in the view from above
@@ -93,6 +98,16 @@ def compared(found: Sequence[Part], order: str) -> list[float]:
     return [measured(part, "size" if mixed else order) for part in found]
 
 
+def ordered(found: Sequence[Part], order: str, most: bool, count: int | None, model: Part) -> list[Part]:
+    """Those that a word such as 'large' or 'outer' chooses among parts that differ in a measure or place."""
+    if len(found) < 2:
+        return list(found)
+    if order == "corner":
+        return [part for part in found if out_to_corner(part, model) >= CORNER_SHARE - 1e-6] or list(found)
+    values = [off_center(p, model) for p in found] if order == "distance" else compared(found, order)
+    return end_of(found, values, most, count)
+
+
 def end_of(found: Sequence[Part], values: Sequence[float], most: bool, count: int | None) -> list[Part]:
     """The parts at one end of an order: as many as counted, else those before the first clear gap, or the widest."""
     ranked = sorted(zip(found, values, strict=True), key=lambda pair: pair[1], reverse=most)
@@ -139,6 +154,39 @@ def by_size(found: Sequence[Part]) -> list[list[Part]]:
             insort(known, (own, len(groups)))
             groups.append([part])
     return groups
+
+
+def picked(found: list[Part], pick: str, bodies: Sequence[Part]) -> list[Part]:
+    """Those of the parts that a word picks: the 'largest', the 'lowest', the 'tall', the size that 'most' have."""
+    if not found:
+        return found
+    match pick:
+        case "elongated":
+            return [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
+        case "standing" | "tall" | "low":
+            found = [part for part in found if _stands(part, bodies)]
+            heights = [part.height or 0.0 for part in found] or [0.0]
+            low = max(heights) / 2 if pick == "tall" else 0.0
+            high = 2 * min(heights) if pick == "low" else math.inf
+            return [part for part in found if low <= (part.height or 0.0) <= high]
+        case "most":
+            group = max(by_size(found), key=len)
+            return group if len(group) > 2 else []
+        case "lowest":
+            near = 0.02 * max(part.extents[2] for part in found) + 1e-9
+            return first(found, lambda part: part.extents[2] / 2 - part.center[2], near)
+    sizes = [size(part) for part in found]
+    if pick == "smallest":
+        return first(found, lambda part: -size(part), 1e-3 * min(sizes))
+    return first(found, size, (1e-3 if pick == "largest" else 1 - WIDE) * max(sizes))
+
+
+def _stands(part: Part, bodies: Sequence[Part]) -> bool:
+    """Does it stand out of its body, instead of being the body's own outline?"""
+    body = next((b for b in bodies if set(part.faces) <= set(b.faces)), None)
+    if body is None or body.diameter is None or part.diameter is None:
+        return True
+    return part.diameter < body.diameter / SAME_SIZE
 
 
 def without_twins(found: list[Part]) -> list[Part]:

@@ -26,12 +26,19 @@ class Kinds:
 
     def __init__(self, parts: Sequence[Part]) -> None:
         self._by_kind: dict[str, list[Part]] = {}
+        self._roles: dict[tuple[str, str], bool] = {}
         for part in parts:
             self._by_kind.setdefault(part.kind, []).append(part)
 
     def get(self, *kinds: str) -> list[Part]:
         """The parts of these kinds."""
         return [part for kind in kinds for part in self._by_kind.get(kind, ())]
+
+    def plays(self, part: Part, role: str) -> bool:
+        """Does the part play one of ROLES among them?"""
+        if (part.id, role) not in self._roles:
+            self._roles[part.id, role] = ROLES[role](part, self)
+        return self._roles[part.id, role]
 
     @cached_property
     def turned(self) -> tuple[NDArray[np.float64], ...]:
