@@ -154,10 +154,8 @@ class Text:
             before, acts = self.words[at - 1] if at else "", self.find(at + 1, "article", "pronoun") is not None
             passive = token.word.endswith("ed") and before in _PASSIVE  # 'the floor that it is bolted to'
             acting = token.word.endswith("ing") and before in ("before", "after", "by", "when", "while")
-            verb = (
-                passive or acting or before in _WHO or (before == "to" and acts)
-            )  # 'which side I chuck', 'to turn it'
-            if verb or token.word.endswith(("ly", "wise", "wards")):
+            verb = before in _WHO or (before == "to" and acts)  # 'which side I chuck', 'to turn it'
+            if passive or acting or verb or token.word.endswith(("ly", "wise", "wards")):
                 return False
         return not any(span.category in CLOSED for span in self.spans[at] if span.end == at + 1)
 

@@ -77,6 +77,7 @@ _ECHO = r"(?<=\w)(?: ?[-,;:?.–—] ?(?:and )?| and )(?:if (?:so|yes),? )?which
 _FRAME = r"[,(]?\s?(?:in )?(?:the )?\b(?:model|file|part)(?:['’]s)? coordinate(?:s| system)\b(?! of\b)\)?"
 """'…, in model coordinates': there are no others."""
 _PLAINER: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
+    (r"\b(?-i:R)\s?(?=\d)", " ℛ "),
     (r"^(?:\d+\)\s|[\"“])", ""),
     (r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", r"\1 is"),
     (r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", r"\1 not"),
@@ -171,7 +172,6 @@ def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...
     """What are the tokens of a question? `names`: words of product names, which are never taken for misspelt ones."""
     text = written(unicodedata.normalize("NFC", " ".join(text[: 2 * MAX_CHARS].split())[:MAX_CHARS]))
     text = text.translate(_SYMBOLS)[:MAX_CHARS]
-    text = re.sub(r"\bR\s?(?=\d)", " ℛ ", text)
     for pattern, plain in _CONTRACTIONS:
         text = pattern.sub(plain, text)
     tokens: list[Token] = []

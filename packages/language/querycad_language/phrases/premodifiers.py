@@ -22,8 +22,9 @@ def before_noun(text: Text, at: int, build: PhraseBuilder) -> int:
     match token.kind:
         case Kind.TIMES:
             build.count = int(token.value)
+            return at + 1
         case Kind.THREAD:
-            build.threads.append(token.word)
+            return gather(build.threads, token.word, at + 1)
         case Kind.QUANTITY:
             return size_before(text, at, build) if empty else at
         case Kind.NUMBER:
@@ -31,9 +32,7 @@ def before_noun(text: Text, at: int, build: PhraseBuilder) -> int:
         case Kind.WORD:
             end = _determiner(text, at, build) if empty else at
             return end if end > at else _word(text, at, build)
-        case _:
-            return at
-    return at + 1
+    return at
 
 
 def _determiner(text: Text, at: int, build: PhraseBuilder) -> int:
