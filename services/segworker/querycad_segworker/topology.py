@@ -12,6 +12,7 @@ from functools import cached_property
 from itertools import combinations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from querycad_contracts import Convexity, Matrix, SurfaceKind, Vector
 
@@ -226,6 +227,21 @@ class Brep:
     def edge_points(self) -> tuple[tuple[Vector, ...], ...]:
         """Which points span each edge? Its ends and middle; of a full circle, sixteen around it."""
         return tuple((*edge.points, *_around(edge)) for edge in self.edges)
+
+    @cached_property
+    def _edge_points(self) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
+        """`edge_points` as one array (n, 3), and where those of each edge begin."""
+        counts = [len(points) for points in self.edge_points]
+        begins = np.cumsum([0, *counts[:-1]])
+        return np.array([point for points in self.edge_points for point in points]).reshape(-1, 3), begins
+
+    def edge_reach(self, direction: Vector) -> tuple[list[float], list[float]]:
+        """From where to where does each edge reach along a direction, in metres from the origin? Lows, then highs."""
+        if not self.edges:
+            return [], []
+        points, begins = self._edge_points
+        along = points @ np.array(direction)
+        return np.minimum.reduceat(along, begins).tolist(), np.maximum.reduceat(along, begins).tolist()
 
     def beside(self, face: int, convexity: EdgeConvexity) -> list[int]:
         """Which faces meet this face in edges of this convexity? One entry an edge."""

@@ -9,12 +9,15 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
+
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of_points, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import add, box_extents, box_of, dist, dot, scale, sub, unit
+from querycad_segworker.vectors import add, box_extents, box_of, dot, scale, sub, unit
 
 from .protrusions import Protrusion, tags_of
 
@@ -117,6 +120,8 @@ def _levels(brep: Brep, tolerances: Tolerances) -> Iterator[list[FaceRecord]]:
 def _pieces(brep: Brep, level: Sequence[FaceRecord], tolerances: Tolerances) -> Iterator[_Piece]:
     """What stands on one level, each connected piece once."""
     feet = [foot for host in level for foot in _feet(brep, host)]
+    if not feet:
+        return
     side = _Beyond(brep, level, 10 * tolerances.length)
     while feet:
         faces, edges = side.connected(feet[0])
@@ -135,24 +140,18 @@ class _Beyond:
         self.hosts = frozenset(face.id for face in level)
         self.normal = level[0].axis
         self.level = dot(level[0].point, self.normal)
-        self._spans: dict[int, tuple[float, float]] = {}
+        self._lows, self._highs = brep.edge_reach(self.normal)
         self._flush: dict[int, bool] = {}
+        self._known: dict[int, tuple[list[int], NDArray[np.float64]]] = {}
 
     def height(self, point: Vector) -> float:
         """How far out of the level does a point lie, in metres?"""
         return dot(point, self.normal) - self.level
 
-    def span(self, edge: int) -> tuple[float, float]:
-        """From where to where does an edge reach, in metres out of the level?"""
-        if edge not in self._spans:
-            heights = list(map(self.height, self.brep.edge_points[edge]))
-            self._spans[edge] = min(heights), max(heights)
-        return self._spans[edge]
-
     def is_flush(self, face: int) -> bool:
         """Does the face run on below the level?"""
         if face not in self._flush:
-            self._flush[face] = any(self.span(e)[0] < -self.near for e in self.brep.face_edges[face])
+            self._flush[face] = any(self._lows[e] < self.level - self.near for e in self.brep.face_edges[face])
         return self._flush[face]
 
     def connected(self, foot: _Foot) -> tuple[frozenset[int], frozenset[int]]:
@@ -171,22 +170,27 @@ class _Beyond:
                 faces.add(face)
                 if not self.is_flush(face):
                     whole.add(face)
-                new = set(self._onwards(face, at)) - edges
+                new = self._onwards(face, at) - edges
                 edges |= new
                 todo.extend(new)
         return frozenset(faces), frozenset(edges)
 
-    def _onwards(self, face: int, edge: EdgeRecord) -> Iterator[int]:
+    def _reaching(self, face: int) -> tuple[list[int], NDArray[np.float64]]:
+        """The edges of a face that reach beyond the level, and their ends, (n, 2, 3)."""
+        if face not in self._known:
+            own = [e for e in self.brep.face_edges[face] if self._highs[e] > self.level + self.near]
+            edges = (self.brep.edges[e] for e in own)
+            self._known[face] = own, np.array([(edge.start, edge.end) for edge in edges]).reshape(-1, 2, 3)
+        return self._known[face]
+
+    def _onwards(self, face: int, edge: EdgeRecord) -> set[int]:
         """The edges of a face beyond the level that one comes to from one of its edges."""
-        beyond = (e for e in self.brep.face_edges[face] if e != edge.id and self.span(e)[1] > self.near)
-        if not self.is_flush(face):
-            yield from beyond
-            return
-        ends = [p for p in (edge.start, edge.end) if self.height(p) > -self.near]
-        for e in beyond:
-            other = self.brep.edges[e]
-            if any(dist(a, b) <= self.near for a in (other.start, other.end) for b in ends):
-                yield e
+        own, ends = self._reaching(face)
+        if self.is_flush(face):
+            points = [p for p in (edge.start, edge.end) if self.height(p) > -self.near]
+            apart = [np.linalg.norm(ends - np.array(point), axis=2).min(axis=1, initial=math.inf) for point in points]
+            own = [e for e, *gaps in zip(own, *apart, strict=True) if gaps and min(gaps) <= self.near]
+        return set(own) - {edge.id}
 
 
 def _feet(brep: Brep, host: FaceRecord) -> Iterator[_Foot]:
