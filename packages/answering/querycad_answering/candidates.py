@@ -192,6 +192,8 @@ def _of_reading(
     for ways in _combined([_best(reading, query, grounded[query], affinity, i) for i, query in enumerate(own)]):
         grounds = {query: way for query, (_, way) in zip(own, ways, strict=True)}
         senses = {query: (way.parts, index) for query, (index, way) in zip(own, ways, strict=True)}
+        if isinstance(reading.form, Every) and _are_others(*(way.parts for way in grounds.values())):
+            continue
         guessed = any(GUESSED in way.features for way in grounds.values())
         for option in range(GUESSES_OPTIONS if guessed else OPTIONS):
             try:
@@ -203,6 +205,11 @@ def _of_reading(
             yield Candidate(reading, grounds, written, features)
             if not written.reads:
                 break
+
+
+def _are_others(parts: Sequence[Part], such: Sequence[Part] = ()) -> bool:
+    """Are all that are such parts of other kinds than those that are asked about? Then a noun was taken in two ways."""
+    return bool(such) and {part.kind for part in parts}.isdisjoint(part.kind for part in such)
 
 
 @cache

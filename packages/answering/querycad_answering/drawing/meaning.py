@@ -69,6 +69,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
         case forms.Combine(operation, left, right):
             return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
+        case forms.Check(Distance(first, second, "amid"), Relation.AT_MOST, 0.0):
+            return f"whether {_anchor(first)} lies in the middle of {_anchor(second)}"
         case forms.Check(Distance(first, second, "beyond" | "beyond both" as mode), Relation.MORE, 0.0):
             ends = " on both sides" if mode == "beyond both" else ""
             return f"whether {_anchor(first)} reaches beyond {_anchor(second)}{ends}"

@@ -260,7 +260,23 @@ def _across(build: Builder, form: Distance, first: PartQuery, second: PartQuery)
     return "found[0] if len(different(found, 1e-05)) == 1 else found"
 
 
-_FITS = {"within": _within, "across": _across, "on diameter": _clearance, "on radius": _clearance}
+def _amid(build: Builder, form: Distance, first: PartQuery, second: PartQuery) -> str:
+    """From the middle of all the others, whose ids differ; of one that is round from its axis."""
+    parts, others = build.of(first), [part for part in build.of(second) if part not in build.of(first)]
+    if not (parts and others):
+        raise Unwritable
+    along = turned(parts[0]) if form.axis is None else None
+    axes = [form.axis] if form.axis is not None else [i for i in range(3) if i != along]
+    build.lines += [
+        f"rest = [q for q in {build.parts(second)} if q.id not in [p.id for p in {build.parts(first)}]]",
+        f"middle = [sum(q.center[i] for q in rest) / len(rest) for i in {axes}]",
+        f"found = [sum((p.center[i] - m) ** 2 for i, m in zip({axes}, middle)) ** 0.5 for p in {build.parts(first)}]",
+    ]
+    build.reads.append(Read("distance", kinds([*parts, *others]), form.mode, "own"))
+    return "found[0] if len(different(found, 1e-05)) == 1 else found"
+
+
+_FITS = {"amid": _amid, "within": _within, "across": _across, "on diameter": _clearance, "on radius": _clearance}
 
 
 def overlapping(build: Builder, form: Distance) -> str:

@@ -113,11 +113,12 @@ def _adjective(request: Request, way: Candidate, name: str) -> Sequence[Candidat
     wider = [p for p in way.parts if adjective.fallback and inventory.has(p, adjective.fallback)]
     if adjective.whole:
         return [way.to(way.parts, "whole_adjective" if way.features.get("whole_sense") else "adjective_nothing")]
-    if having and (not adjective.order or len(having) < len(way.parts) or having[0].kind in SURFACES):
+    told = len(way.parts) == 1 or request.query.sample  # what one is, and all that are so, its tags tell
+    if having and (not adjective.order or told or len(having) < len(way.parts) or having[0].kind in SURFACES):
         return [way.to(having, "adjective_agrees")]
     if wider:
         return [way.to(wider, "adjective_wider")]
-    several = len(way.parts) > 1 or not adjective.tags  # what one alone is, its tags tell
+    several = not (told and adjective.tags)
     if adjective.order and several and not all(inventory.has(p, adjective.opposite) for p in way.parts):
         return _ordered(request, way, adjective, name)
     if adjective.lacks:

@@ -93,7 +93,7 @@ def _openings(question: Question, verb: Span, subject: Mention) -> Iterator[Pars
 
 
 def _middles(question: Question, cue: Span, subject: Mention) -> Iterator[Parse]:
-    """'Is the groove in the middle of the rim?', '… midway between the lugs?', '… at mid-height?'"""
+    """'Is the groove in the middle of the rim?', '… of the four holes?', '… midway between the lugs?', '… at mid-height?'"""
     text = question.text
     if not any(text.find(i, "be", "do") or text.is_word(i, "sit", "lie") for i in range(cue.start)):
         return
@@ -110,7 +110,8 @@ def _middles(question: Question, cue: Span, subject: Mention) -> Iterator[Parse]
     axis, along = (ALONG[side.value], set(side.tokens)) if side is not None else (None, set())
     if axis is None and text.is_word(cue.start, *_CENTRED):
         axis, along = axis_named(question)
-    middle = Distance(subject.part, first.part if first is not None else WHOLE, "centers", axis)
+    mode: Literal["amid", "centers"] = "amid" if first is not None and first.plural else "centers"
+    middle = Distance(subject.part, first.part if first is not None else WHOLE, mode, axis)
     yield Parse(Check(middle, Relation.AT_MOST, 0.0), _SAYS, used | along)
 
 
