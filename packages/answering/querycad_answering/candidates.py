@@ -227,9 +227,19 @@ def _best(
 ) -> tuple[list[Way], list[Way]]:
     """The ways to ground a query of a reading, the best first, and those that only guess what its noun means."""
     found = [(i, way) for i, way in enumerate(ways) if not _drops(reading, query, way)]
+    if isinstance(reading.form, Count):  # where there are holes, 'holes' are no pockets
+        own = {part.kind for _, way in found if is_own(way) for part in way.parts}
+        kinds = [{part.kind for part in way.parts} for _, way in found]
+        found = [one for one, told in zip(found, kinds, strict=True) if not (own and told) or own & told]
     found.sort(key=lambda one: _score(one[1].features) + affinity.of_way(place, one[1]), reverse=True)
     known = [one for one in found if GUESSED not in one[1].features]
     return known, [one for one in found if GUESSED in one[1].features]
+
+
+def is_own(way: Grounded) -> bool:
+    """Are these what the noun itself means, just as is said, and several where it says so?"""
+    other = {name for name, value in way.features.items() if value}
+    return _STRETCHED.isdisjoint(other) and not any(name.endswith(("_dropped", "one_for_plural")) for name in other)
 
 
 def _combined(ways: Sequence[tuple[list[Way], list[Way]]]) -> Iterator[tuple[Way, ...]]:
@@ -314,7 +324,7 @@ def _of_steps(written: Written) -> Features:
 
 _DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
 """What a model surely shows, and cannot be left out where it says which parts are asked for."""
-_SURE = frozenset(("thread_dropped", "denied_dropped"))
+_SURE = frozenset(("size_dropped", "thread_dropped", "denied_dropped"))
 """What is counted is never the parts that are surely not so."""
 _ELSE = frozenset((
     "place_dropped", "adjective_dropped", "trait_dropped", "sense_kin", "kin_instead", "modifier_means",

@@ -32,7 +32,7 @@ from querycad_language.readings.skipped_words import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .affinity import Affinity
-from .candidates import CALLED_SO, Absence, Candidate, Ground, absences, candidates, things, with_value
+from .candidates import CALLED_SO, Absence, Candidate, Ground, absences, candidates, is_own, things, with_value
 from .companion_values import beside, is_of_whole, of_height, reads_height, standing
 from .drawing.callouts import ids_text, told_parts
 from .drawing.meaning import describe
@@ -65,6 +65,11 @@ like kind where the model has none of its own: less would be an answer about par
 NONE_COUNTED = 0.7
 """So sure, at most, is that there are none: people count what there is. Of 44 surer answers to collected questions 30
 were right."""
+RESTRICTS = ("skip_number", "skip_negation", "skip_comparison", "skip_side")
+NOT_SURE = 0.75
+"""So sure, at most, is a value of a reading that passes over a number, negation, comparison or side, or that could
+not check a word that restricts. Of 136 surer ones by unread writers 16 were wrong, of 680 others 23. So sure is the
+number of parts that are not what the noun itself means: of cutouts as holes."""
 _HOW_FAR = re.compile(r"\bhow (far|long|wide|deep|high|tall|thick)\b", re.IGNORECASE)
 _PLACES = (AnswerType.POINT, AnswerType.POINTS, AnswerType.DIRECTION, AnswerType.DIRECTIONS)
 """What nobody means who asks how far something is."""
@@ -289,6 +294,11 @@ class Understanding:
             sure = min(sure, OTHER_CLASS)
         if isinstance(best.candidate.reading.form, Count) and best.candidate.value == 0:
             sure = min(sure, NONE_COUNTED)
+        others = isinstance(best.candidate.reading.form, Count) and not all(
+            map(is_own, best.candidate.grounds.values())
+        )
+        if others or any(map(best.candidate.features.get, RESTRICTS)) or unchecked(best.candidate):
+            sure = min(sure, NOT_SURE)
         return replace(best, confidence=min(sure, self.at_most))
 
     def _fits(self, candidate: Candidate) -> bool:

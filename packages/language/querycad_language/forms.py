@@ -102,9 +102,10 @@ class Distance:
         "centers", "amid", "surfaces", "outsides", "usual", "overlap", "beyond", "beyond both", "within", "across",
         "on diameter", "on radius"
     ] = "usual"  # fmt: skip
-    """'amid': from the middle of all of the second; 'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within,
-    'beyond both': the lesser at the two ends; 'within': how far the first reaches into the second; 'across': from its
-    floor to the far side of the second, round; 'on diameter': what a bore has more than what runs in it."""
+    """'amid': from the middle of all of the second; 'outsides': over all of them; 'overlap': the volume that bodies
+    share; 'beyond': less than zero if within, 'beyond both': the lesser at the two ends; 'within': how far the first
+    reaches into the second; 'across': from its floor to the far side of the second, round; 'on diameter': what a bore
+    has more than what runs in it."""
     axis: int | None = None  # 0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model
     reduce: Reduce = Reduce.ONE
 

@@ -48,10 +48,12 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "bend+STEPPED": "radius; ~max(radii)",  # of sheet: inside and outside
         "bend pipe": "bend_radius; ~inner_diameter / 2; ~outer_diameter / 2; radius",
         "STEPPED": "radius; ~max(radii)",
+        "pattern": "radius",
         "": "radius; ?width / 2",
     },
     Measure.DIAMETER: {
         "torus": "outer_diameter; ~tube_diameter; diameter",
+        "pattern": "diameter",
         "STEPPED": "diameter; outer_diameter; ~2 * max(radii); ~2 * min(radii); ~extents[across]; ?width",
         "": "diameter; outer_diameter; ~extents[across]; ?width",
     },

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import replace
@@ -32,6 +33,7 @@ _ENDS = {Reduce.LARGEST: "max", Reduce.SMALLEST: "min"}
 _STEPPED = (Measure.RADIUS, Measure.DIAMETER)
 _OF_STEPS = (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE)
 """Of stepped parts all steps have these measures, where several values are wanted."""
+_CORNERS = 4
 _COMBINED = {
     "minus": "{0} - ({1})", "plus": "{0} + {1}", "apart": "abs({0} - ({1}))", "ratio": "({0}) / ({1})",
     "share": "100 * ({0}) / ({1})",
@@ -156,7 +158,7 @@ def _of_parts(build: Builder, form: Get, target: PartQuery) -> tuple[str, Answer
         measure = Measure.TIP  # a shaft ends at its tip
     expression = build.read(measure, parts)
     if _is_circle(target) and all(part.kind is PartKind.HOLE for part in parts):
-        return _through_centers(build, name, len(parts), measure)
+        return _through_centers(build, name, parts, measure)
     if expression == "{0}.tip" and sum(len(part.tips) for part in parts) > 1:
         return f"[tip for p in {name} for tip in p.tips]", AnswerType.POINTS
     if measure in _DENSE:
@@ -180,20 +182,31 @@ def _is_circle(query: PartQuery) -> bool:
     return noun is not None and noun.name == "bolt circle"
 
 
-def _through_centers(build: Builder, name: str, count: int, measure: Measure) -> tuple[str, AnswerType]:
-    """Diameter or radius of the circle through two centres, which are opposite, or three, by Heron's formula.
+def _through_centers(build: Builder, name: str, parts: Sequence[Part], measure: Measure) -> tuple[str, AnswerType]:
+    """Diameter or radius of the circle through two centres, which are opposite, three, or the corners of a rectangle.
 
-    More at equal angles are a pattern, which has a diameter of its own. Raises Unwritable.
+    Through three by Heron's formula. Others at equal angles are a pattern, which has a diameter of its own. Raises
+    Unwritable.
     """
-    if count not in (2, 3) or measure not in _STEPPED:
+    count, share = len(parts), "" if measure is Measure.DIAMETER else " / 2"
+    if measure not in _STEPPED or not (count in (2, 3) or _in_a_rectangle(parts)):
         raise Unwritable
-    share = "" if measure is Measure.DIAMETER else " / 2"
     build.lines += ["import math", f"centers = [p.center for p in {name}]"]
+    if count == _CORNERS:
+        return f"max(math.dist(centers[0], other) for other in centers){share}", AnswerType.LENGTH
     if count == 2:
         return f"math.dist(*centers){share}", AnswerType.LENGTH
     build.lines.append("a, b, c = [math.dist(centers[i - 1], centers[i]) for i in range(3)]")
     build.lines.append("area = math.sqrt((a + b + c) * (b + c - a) * (a + c - b) * (a + b - c)) / 4")
     return f"a * b * c / (2 * area){share}", AnswerType.LENGTH
+
+
+def _in_a_rectangle(parts: Sequence[Part]) -> bool:
+    """Are four centres as far from each other as the corners of a rectangle are: twice each of three lengths?"""
+    if len(parts) != _CORNERS:
+        return False
+    first, *rest = (sorted(math.dist(a.center, b.center) for b in parts) for a in parts)
+    return all(math.dist(first, other) < SLACK for other in rest)
 
 
 def _type(measure: Measure, expression: str) -> AnswerType:

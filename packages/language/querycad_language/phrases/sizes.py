@@ -59,6 +59,8 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
             relation, at = COMPARISONS.get(scale.value.degree, Relation.EQUAL), text.skip(scale.end + 1, "article")
         elif span := text.find(at, "relation"):
             relation, at = relation if text.is_word(at, "of") else span.value, span.end
+        elif text.find(at, "negation") and text.is_kind(at + 1, Kind.QUANTITY):
+            relation, at = Relation.UNEQUAL, at + 1  # 'that are not 16 mm'
         elif (span := text.find(at, "measure")) and measure is None:
             measure, at = span.value, span.end
         elif text.is_word(at, *_LINKS):

@@ -16,7 +16,7 @@ _CLASSES: tuple[tuple[str, set[str]], ...] = (
     ("courtesy", {"courtesy"}), ("side", {"side", "view"}), ("axis", {"axis"}), ("negation", {"negation", "except"}),
     ("noun", {"noun"}), ("function", {"whole", "pronoun", "ask"}),
     ("measure", {"measure", "distance", "gap", "engagement"}),
-    ("comparison", {"scale", "same", "most", "least", "different", "operation", "comparing", "emerging"}),
+    ("comparison", {"scale", "same", "most", "least", "different", "operation", "comparing", "emerging", "arithmetic"}),
     ("function", {"function", "be", "side_preposition"}),
     ("chatter", {"chatter", "imperative", "have", "relation", "place", "quantifier", "each", "radially"}),
     ("adjective", {"adjective"}), ("function", {"side_noun", "article", "axis_preposition", "total"}),
@@ -73,7 +73,7 @@ def _class(text: Text, at: int) -> str:
         return "function" if kind is Kind.POSSESSIVE else "number"
     own = {span.category for span in text.spans[at]}
     longer = {span.category for spans in text.spans[max(0, at - 3) : at] for span in spans if span.end > at}
-    own |= longer - {"noun", "measure", "adjective"}  # inside a longer phrase that begins before
+    own |= longer - {"noun", "measure", "adjective", "arithmetic"}  # inside a longer phrase that begins before
     unclassed = "chatter" if own else "unknown"
     if not text.is_word(at, "except", "excluding"):
         own.discard("except")

@@ -157,7 +157,8 @@ def sized(request: Request, way: Candidate) -> Sequence[Candidate]:
 
 def _of_size(way: Candidate, size: SizeFilter) -> Sequence[Candidate]:
     values = [(p, values_of(p, size.measure)) for p in way.parts]
-    exact = [p for p, own in values if any(compares(v, size) for v in own)]
+    every = size.relation is Relation.UNEQUAL  # of a stepped hole that is no 16 mm hole no step has 16 mm
+    exact = [p for p, own in values if (all if every else any)(compares(v, size) for v in own)]
     if not exact and size.relation in _COMPARED and values and all(own for _, own in values):
         return [way.to((), "size_agrees")]  # that no hole is wider than 80 mm is sure
     if not exact and size.relation in (Relation.EQUAL, Relation.ABOUT):

@@ -93,7 +93,7 @@ def _openings(question: Question, verb: Span, subject: Mention) -> Iterator[Pars
 
 
 def _middles(question: Question, cue: Span, subject: Mention) -> Iterator[Parse]:
-    """'Is the groove in the middle of the rim?', '… of the four holes?', '… midway between the lugs?', '… at mid-height?'"""
+    """'Is the groove in the middle of the rim?', '… of the holes?', '… midway between the lugs?', '… at mid-height?'"""
     text = question.text
     if not any(text.find(i, "be", "do") or text.is_word(i, "sit", "lie") for i in range(cue.start)):
         return
