@@ -106,7 +106,8 @@ class Ranked:
 def ranked(tried: Sequence[Candidate], untried: Sequence[float] = (), absences: Sequence[Absence] = ()) -> Ranked:
     """The different values of the candidates that gave one, against the readings of parts that are not there.
 
-    `untried` are the scores of those that were not run: their share of the probability is nobody's; so is that of none.
+    `untried` are the scores of those that were not run: their share of the probability goes to no value. Nor does
+    that of `none_right`.
     """
     runs = [
         one for one in tried if one.value is not None and (one.value != [] or one.written.expects is AnswerType.PARTS)

@@ -33,7 +33,7 @@ def _rank(part: Part) -> tuple[int, int]:
 
 
 def chosen(faces: Sequence[Face], query: FaceQuery, diagonal_m: float) -> tuple[Face, ...]:
-    """Which of the faces are as the query says? `diagonal_m`: of the model's box, which tolerances follow."""
+    """Which of the faces match the query? `diagonal_m`: of the model's box, which tolerances follow."""
     tolerances = Tolerances.for_diagonal(diagonal_m)
     return tuple(face for face in faces if _is_so(face, query, tolerances))
 

@@ -72,7 +72,7 @@ def suits(part: Part) -> tuple[Suited, ...]:
 
 
 def asks_for_screw(question: Question) -> bool:
-    """Is asked which screw goes with holes: 'what bolt fits the holes', 'which screw are the holes made for'?"""
+    """Does the question ask which screw fits: 'what bolt fits the holes', 'which screw are the holes made for'?"""
     text = question.text
     asks = {at + i for at in text.at_words("what", "which") for i in range(1, _ASKED_WITHIN + 1)}
     named = any(mention.part.noun in _FASTENERS and mention.head in asks for mention in question.parts)

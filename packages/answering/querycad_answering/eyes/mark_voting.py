@@ -50,7 +50,7 @@ log = logging.getLogger(__name__)
 
 
 class Place(Protocol):
-    """Who has the model: draws its pictures, keeps what was seen in them, and says what words mean by that."""
+    """Access to the model: draws its pictures, keeps what was seen in them, and finds parts by that."""
 
     def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         """Which parts are meant, by geometry and by what was seen so far?"""

@@ -1,6 +1,6 @@
 """What spares a server: a breaker leaves one alone that does not answer, a gate lets only so many requests through.
 
-Both are of one process. While a breaker is open the parser answers at once; who stands at a gate waits his turn.
+Both are of one process. While a breaker is open the parser answers at once; a request at a gate waits for its turn.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""From where is a part come at? The ends of its axis: a hole's openings, the free ends of what stands out."""
+"""From which end is a part approached? The ends of its axis: a hole's openings, the free ends of what stands out."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""The CAD kernel's room: the only place that imports OCP, and the only one where millimetres exist."""
+"""The only package that imports the CAD kernel (OCP), and the only one that works in millimetres."""

@@ -1,4 +1,4 @@
-"""Where the weight of a face or of what faces enclose lies, by the kernel's integration. Millimetres."""
+"""Centroids and second moments of faces and of what they enclose, by the kernel's integration. Millimetres."""
 
 from __future__ import annotations
 

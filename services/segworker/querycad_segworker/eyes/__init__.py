@@ -1,1 +1,1 @@
-"""Pictures with numbered marks for whoever takes images, and what he saw in them: see docs/segcad.md."""
+"""Pictures with numbered marks for vision models, and what these saw in them: see docs/segcad.md."""

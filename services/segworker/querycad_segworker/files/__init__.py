@@ -1,1 +1,1 @@
-"""Files of strangers, before the kernel sees them: what kind they are, and what archives hold."""
+"""Untrusted files, before the kernel sees them: what kind they are, and what archives hold."""
