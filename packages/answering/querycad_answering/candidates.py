@@ -228,7 +228,7 @@ def _best(
     """The ways to ground a query of a reading, the best first, and those that only guess what its noun means."""
     found = [(i, way) for i, way in enumerate(ways) if not _drops(reading, query, way)]
     if isinstance(reading.form, Count):  # where there are holes, 'holes' are no pockets
-        own = {part.kind for _, way in found if is_own(way) for part in way.parts}
+        own = {part.kind for _, way in found if is_own(way) and _fits_number(way) for part in way.parts}
         kinds = [{part.kind for part in way.parts} for _, way in found]
         found = [one for one, told in zip(found, kinds, strict=True) if not (own and told) or own & told]
     found.sort(key=lambda one: _score(one[1].features) + affinity.of_way(place, one[1]), reverse=True)
@@ -236,10 +236,15 @@ def _best(
     return known, [one for one in found if GUESSED in one[1].features]
 
 
+def _fits_number(way: Grounded) -> bool:
+    """Are there several parts where the words say so?"""
+    return not way.features.get("one_for_plural")
+
+
 def is_own(way: Grounded) -> bool:
-    """Are these what the noun itself means, just as is said, and several where it says so?"""
+    """Are these what the noun itself means, just as is said?"""
     other = {name for name, value in way.features.items() if value}
-    return _STRETCHED.isdisjoint(other) and not any(name.endswith(("_dropped", "one_for_plural")) for name in other)
+    return _STRETCHED.isdisjoint(other) and not any(name.endswith("_dropped") for name in other)
 
 
 def _combined(ways: Sequence[tuple[list[Way], list[Way]]]) -> Iterator[tuple[Way, ...]]:
