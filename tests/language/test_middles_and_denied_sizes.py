@@ -17,11 +17,8 @@ from querycad_language.readings.reader import read
     ],
 )
 def test_what_lies_in_the_middle_of_several_parts_lies_in_that_of_all(question: str, mode: str) -> None:
-    checks = [reading.form for reading in read(question) if isinstance(reading.form, Check)]
-    assert any(isinstance(check.left, Distance) and check.left.mode == mode for check in checks)
-    assert not any(isinstance(check.left, Distance) and check.left.mode == "centers" for check in checks) or (
-        mode == "centers"
-    )
+    checks = [reading.form.left for reading in read(question) if isinstance(reading.form, Check)]
+    assert {left.mode for left in checks if isinstance(left, Distance)} & {"amid", "centers"} == {mode}
 
 
 @pytest.mark.parametrize("question", ["How many studs that are not 6 mm?", "How many studs which are not 6 mm thick?"])

@@ -75,9 +75,10 @@ def plate(runtime: EmbeddedRuntime, tmp_path_factory: pytest.TempPathFactory) ->
     [
         ("Is the 12 mm hole in the middle of the four 5 mm holes?", True),
         ("Is the 8 mm hole in the middle of the four 5 mm holes?", False),
+        ("Are the holes bosses?", False),
     ],
 )
-def test_in_the_middle_of_several_is_in_the_middle_of_all(plate: Model, question: str, value: bool) -> None:
+def test_the_middle_of_several_is_that_of_all_and_another_noun_has_other_parts(plate: Model, question: str, value: bool) -> None:
     reply = plate.ask(question)
     assert reply.answer is not None
     assert reply.answer.value is value

@@ -192,7 +192,7 @@ def _of_reading(
     for ways in _combined([_best(reading, query, grounded[query], affinity, i) for i, query in enumerate(own)]):
         grounds = {query: way for query, (_, way) in zip(own, ways, strict=True)}
         senses = {query: (way.parts, index) for query, (index, way) in zip(own, ways, strict=True)}
-        if isinstance(reading.form, Every) and _are_others(*(way.parts for way in grounds.values())):
+        if isinstance(reading.form, Every) and _in_two_senses(reading.form, grounds):
             continue
         guessed = any(GUESSED in way.features for way in grounds.values())
         for option in range(GUESSES_OPTIONS if guessed else OPTIONS):
@@ -207,9 +207,10 @@ def _of_reading(
                 break
 
 
-def _are_others(parts: Sequence[Part], such: Sequence[Part] = ()) -> bool:
-    """Are all that are such parts of other kinds than those that are asked about? Then a noun was taken in two ways."""
-    return bool(such) and {part.kind for part in parts}.isdisjoint(part.kind for part in such)
+def _in_two_senses(form: Every, grounds: Mapping[PartQuery, Grounded]) -> bool:
+    """Was one noun taken for parts of one kind, and for parts of others where all such are asked for?"""
+    kinds, such = ({part.kind for part in grounds[query].parts} for query in (form.target, form.among))
+    return form.target.noun == form.among.noun and bool(such) and kinds.isdisjoint(such)
 
 
 @cache

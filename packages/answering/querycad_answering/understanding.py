@@ -65,7 +65,7 @@ like kind where the model has none of its own: less would be an answer about par
 NONE_COUNTED = 0.7
 """So sure, at most, is that there are none: people count what there is. Of 44 surer answers to collected questions 30
 were right."""
-RESTRICTS = ("skip_number", "skip_negation", "skip_comparison", "skip_side")
+SKIPPED_RESTRICTIONS = ("skip_number", "skip_negation", "skip_comparison", "skip_side")
 NOT_SURE = 0.75
 """So sure, at most, is a value of a reading that passes over a number, negation, comparison or side, or that could
 not check a word that restricts. Of 136 surer ones by unread writers 16 were wrong, of 680 others 23. So sure is the
@@ -292,12 +292,11 @@ class Understanding:
         half = closed and (restricting or unchecked(best.candidate) or _at_several(best.candidate))
         if "value_for_yes_no" in best.candidate.features or half:
             sure = min(sure, OTHER_CLASS)
-        if isinstance(best.candidate.reading.form, Count) and best.candidate.value == 0:
+        counts = isinstance(best.candidate.reading.form, Count)
+        if counts and best.candidate.value == 0:
             sure = min(sure, NONE_COUNTED)
-        others = isinstance(best.candidate.reading.form, Count) and not all(
-            map(is_own, best.candidate.grounds.values())
-        )
-        if others or any(map(best.candidate.features.get, RESTRICTS)) or unchecked(best.candidate):
+        others = counts and not all(map(is_own, best.candidate.grounds.values()))
+        if others or any(map(best.candidate.features.get, SKIPPED_RESTRICTIONS)) or unchecked(best.candidate):
             sure = min(sure, NOT_SURE)
         return replace(best, confidence=min(sure, self.at_most))
 

@@ -46,7 +46,7 @@ MEASURED = 100
 """So many pairs have their surfaces measured, hundredths of a second each; of more those whose boxes are nearest."""
 _FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUSION, PartKind.WALL, PartKind.FACE))
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
-_CORNERS = 4
+CORNERS = 4
 """Of a rectangle: of fewer or more parts there are no two sides."""
 
 
@@ -121,7 +121,7 @@ def pairwise(build: Builder, first: PartQuery, second: forms.Target, expression:
     parts, least = build.parts(first), reduce in (Reduce.ONE, Reduce.SMALLEST)
     own, others = len(build.of(first)), "" if second is None else f", {build.parts(second)}"
     pairs = own * (own - 1) // 2 if second is None else own * len(build.of(second))
-    if second is None and (own < 2 or (reduce is Reduce.SIDES and own != _CORNERS)):
+    if second is None and (own < 2 or (reduce is Reduce.SIDES and own != CORNERS)):
         raise Unwritable
     if expression == "a.distance_to(b)" and pairs > (MEASURED if least else CALLS):
         if not least:

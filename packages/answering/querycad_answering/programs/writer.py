@@ -14,7 +14,7 @@ from querycad_language.lexicon import lexicon
 from querycad_language.measures import SCALARS, answer_type, of_several
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
-from .distances import distance, overlapping
+from .distances import CORNERS, distance, overlapping
 from .planes import SLACK, side_axis
 from .sides import angle_between, at_both_ends, directions, facing, in_line, towards
 
@@ -33,7 +33,6 @@ _ENDS = {Reduce.LARGEST: "max", Reduce.SMALLEST: "min"}
 _STEPPED = (Measure.RADIUS, Measure.DIAMETER)
 _OF_STEPS = (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE)
 """Of stepped parts all steps have these measures, where several values are wanted."""
-_CORNERS = 4
 _COMBINED = {
     "minus": "{0} - ({1})", "plus": "{0} + {1}", "apart": "abs({0} - ({1}))", "ratio": "({0}) / ({1})",
     "share": "100 * ({0}) / ({1})",
@@ -192,7 +191,7 @@ def _through_centers(build: Builder, name: str, parts: Sequence[Part], measure: 
     if measure not in _STEPPED or not (count in (2, 3) or _in_a_rectangle(parts)):
         raise Unwritable
     build.lines += ["import math", f"centers = [p.center for p in {name}]"]
-    if count == _CORNERS:
+    if count == CORNERS:
         return f"max(math.dist(centers[0], other) for other in centers){share}", AnswerType.LENGTH
     if count == 2:
         return f"math.dist(*centers){share}", AnswerType.LENGTH
@@ -203,7 +202,7 @@ def _through_centers(build: Builder, name: str, parts: Sequence[Part], measure: 
 
 def _in_a_rectangle(parts: Sequence[Part]) -> bool:
     """Are four centres as far from each other as the corners of a rectangle are: twice each of three lengths?"""
-    if len(parts) != _CORNERS:
+    if len(parts) != CORNERS:
         return False
     first, *rest = (sorted(math.dist(a.center, b.center) for b in parts) for a in parts)
     return all(math.dist(first, other) < SLACK for other in rest)

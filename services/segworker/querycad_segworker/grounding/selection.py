@@ -94,11 +94,10 @@ def counted(request: Request, way: Candidate) -> Sequence[Candidate]:
     groups = [group for group in by_size(way.parts) if len(group) == count]
     ordered = sorted(way.parts, key=size, reverse=True)
     stand_out = not groups and count < len(ordered) and size(ordered[count - 1]) > LARGER * size(ordered[count])
+    largest = [way.to(ordered[:count], "count_largest")] if stand_out else []  # 'the two bores' among screw holes
     differs = min(2.0, abs(math.log((len(way.parts) or 0.5) / count)))
     return [
-        *(
-            [way.to(ordered[:count], "count_largest")] if stand_out else []
-        ),  # 'the two bores' of a lever with screw holes
+        *largest,
         *(way.to(group, "count_group", 1.0 / len(groups)) for group in groups[:3]),
         way.to(way.parts, "count_differs", differs),
     ]
