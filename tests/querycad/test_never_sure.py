@@ -78,7 +78,7 @@ def plate(runtime: EmbeddedRuntime, tmp_path_factory: pytest.TempPathFactory) ->
         ("Are the holes bosses?", False),
     ],
 )
-def test_the_middle_of_several_is_that_of_all_and_another_noun_has_other_parts(plate: Model, question: str, value: bool) -> None:
+def test_the_middle_of_several_is_that_of_all(plate: Model, question: str, value: bool) -> None:
     reply = plate.ask(question)
     assert reply.answer is not None
     assert reply.answer.value is value
