@@ -19,7 +19,8 @@ from scipy.sparse import csr_array
 from scipy.special import logsumexp
 
 from querycad_answering.affinity import FEATURE
-from querycad_answering.ranking import NONE, confidence, doubts, key, odds
+from querycad_answering.confidence import calibrated, doubts, odds
+from querycad_answering.ranking import NONE, key
 
 from .collect import Row, Tried
 from .data import MISSING
@@ -170,4 +171,4 @@ def calibrate(answers: Sequence[tuple[Answered, float]], l2: float = 5.0) -> Tab
 
 def sure(one: Answered, calibration: Table) -> float:
     """The probability that an answer is right."""
-    return 0.0 if one.refused else confidence(one.probability, one.features, one.score, calibration)
+    return 0.0 if one.refused else calibrated(one.probability, one.features, one.score, calibration)

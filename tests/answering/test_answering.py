@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 from tests.made import hole, view
 
-from querycad_answering.answering import AS_ONE, SURER, answer_question
+from querycad_answering.answering import SURER, answer_question
+from querycad_answering.confidence import AS_ONE
 from querycad_contracts import AnswerRecord, Grounding, Part, Program, RunOutcome, RunStatus, Status
 from querycad_language.readings.question import Question
 

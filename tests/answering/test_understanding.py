@@ -11,7 +11,8 @@ from tests.made import body, hole, inventory, part, view, whole
 from querycad_answering.affinity import Affinity
 from querycad_answering.answering import answer_question
 from querycad_answering.candidates import candidates, with_value
-from querycad_answering.ranking import confidence, key, ranked
+from querycad_answering.confidence import calibrated
+from querycad_answering.ranking import key, ranked
 from querycad_answering.understanding import ModelView, Understanding, meant
 from querycad_contracts import (
     AnswerOptions,
@@ -80,7 +81,7 @@ def test_equal_values_are_one_value_and_what_was_not_run_is_nobodys() -> None:
 
 
 def test_confidence_grows_with_the_share() -> None:
-    low, high = (confidence(share, {}, 1.0, {"bias": 0.0, "share": 1.0}) for share in (0.2, 0.9))
+    low, high = (calibrated(share, {}, 1.0, {"bias": 0.0, "share": 1.0}) for share in (0.2, 0.9))
     assert [low, high] == [pytest.approx(0.2), pytest.approx(0.9)]
 
 

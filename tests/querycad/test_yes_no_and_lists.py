@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from querycad import EmbeddedRuntime, Model
-from querycad_answering.understanding import OTHER_CLASS
+from querycad_answering.confidence import OTHER_CLASS
 from querycad_contracts import AnswerType, Status
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -40,6 +40,7 @@ from querycad_language.tokens import MAX_CHARS
 
 from .addressing import folded
 from .compound import Judged, clauses, together
+from .confidence import AS_ONE, BY_SIGHT_AT_MOST, OTHER_CLASS
 from .conversation import NotFollowed, not_followed, stands_alone
 from .drawing.asked_units import asked_unit, in_asked_unit, without_asked_unit
 from .drawing.callouts import ids_text, told_parts
@@ -52,20 +53,15 @@ from .llm.reference import BY_SIGHT
 from .overview import asks_for_overview, asks_what_parts_are
 from .ranking import SHOWN
 from .typed import Unexpected, as_expected, same_value
-from .understanding import OTHER_CLASS, ModelView, Run, Understanding, Understood
+from .understanding import ModelView, Run, Understanding, Understood
 
 T = TypeVar("T")
 
 NO_OPTIONS = AnswerOptions()
 NO_LLM = LlmWriter(LlmSettings())
-BY_SIGHT_AT_MOST = 0.7
-"""So sure at most is an answer that rests on sight alone: below what counts as sure, as nobody has measured yet how
-often sight is right."""
 SURER = 0.2
 """By so much surer than all of them together, a question that may be several is read as one: of 35 such among 5,901
 the one value was right in 30, all values together in one."""
-AS_ONE = 0.7
-"""So sure, at most, is that one value: what else may be asked is passed over."""
 SURE = 0.8
 """An answer of the parser that is at least as probable goes before a language model's."""
 

@@ -13,6 +13,7 @@ from typing import Any
 from querycad_contracts import AnswerType, Bottom, Grounded, Measure, Part, PartQuery
 from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, Which, queries
 from querycad_language.lexicon import lexicon
+from querycad_language.phrases import bare_of
 from querycad_language.readings import Reading
 from querycad_language.weights import weights
 
@@ -277,6 +278,10 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
             return True  # the hole nearest to the middle is no central one
     form = reading.form
     shown = (isinstance(form, Every) and query == form.among) or (isinstance(form, Either) and query in form.options)
+    if isinstance(form, Every) and bare_of(form.target, "object") and query == form.among:  # 'is it a gear?'
+        return not CALLED_SO & way.features.keys() and (
+            _stands_in(way) or way.features.get("sense_stretch", 0.0) > NEAR_SENSE
+        )
     everywhere = "check_place" in reading.features and "place_whole" in way.features  # 'in the part' says nothing
     return shown and (everywhere or any(name.endswith("_dropped") for name in way.features))
 
@@ -340,6 +345,8 @@ _STRETCHED = frozenset(("guessed", "sense_kin", "sense_wide", "sense_stretch", "
 """Groundings of a noun that is no name of the parts' kind."""
 _INSTEAD = frozenset(("guessed", "sense_kin", "sense_wide", "unknown_words", "whole_sense"))
 """Features of groundings to what has another name than the noun."""
+NEAR_SENSE = 0.5
+"""A model is a tube, or a washer, where no further sense of the noun has to be taken for it to be one."""
 CALLED_SO = frozenset(("by_name", "file_named", "name_all"))
 """Features of a noun that names the model: its file or its body is called so."""
 _HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDGE_DISTANCE))

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import dist
 from typing import NamedTuple
 
 from querycad_contracts import LengthUnit, Measure, ModelSummary, Part, PartKind, Side
 from querycad_contracts.vectors import dot
-from querycad_language.forms import Get
+from querycad_language.forms import Distance, Get, Reduce
 from querycad_language.text import Text
 
 from .candidates import Candidate
@@ -17,6 +18,10 @@ from .drawing.numbers import length
 PROFILE = 2.0
 """A profile lies along the axis that it is this many times as long along as along any other."""
 _SAME = 1e-6
+_ROUNDED = 1e-5
+"""Metres within which two distances between centres, or two diameters, are one."""
+_MOST = 200
+_TOLD = 4
 _FROM = 1.0 - 1e-6
 _AXES = "xyz"
 
@@ -31,6 +36,9 @@ class Standing(NamedTuple):
 def beside(candidate: Candidate, unit: LengthUnit) -> Iterator[str]:
     """Notes on the parts whose measure was read."""
     form = candidate.reading.form
+    if apart := uneven(candidate):
+        told = ", ".join(length(each, unit) for each in apart)
+        yield f"not all are equally far from the next of their size: {told} {unit.value}; the least is told"
     parts = [part for grounded in candidate.grounds.values() for part in grounded.parts]
     read = {read.expression for read in candidate.written.reads}
     if "{0}.nominal_length" in read:
@@ -44,6 +52,25 @@ def beside(candidate: Candidate, unit: LengthUnit) -> Iterator[str]:
             yield f"that is from the {side.value}"
         if any(len(part.approach) > 1 for part in parts):
             yield "what goes through has a second way in, from the other side"
+
+
+def uneven(candidate: Candidate) -> list[float]:
+    """How far parts lie from the next one of their diameter, where 'the spacing' is asked and they have several.
+
+    Ascending, in metres, a few; none where all are equally far apart.
+    """
+    form = candidate.reading.form
+    one = isinstance(form, Distance) and form.second == "each other" and form.reduce is Reduce.ONE
+    if not one or not any(read.expression == "center" for read in candidate.written.reads):
+        return []
+    parts = [part for grounded in candidate.grounds.values() for part in grounded.parts][:_MOST]
+    found: list[float] = []
+    for part in parts:
+        others = [p for p in parts if p is not part and abs((p.diameter or 0) - (part.diameter or 0)) < _ROUNDED]
+        near = min((dist(part.center, other.center) for other in others), default=None)
+        if near is not None and all(abs(near - known) > _ROUNDED for known in found):
+            found.append(near)
+    return sorted(found)[:_TOLD] if len(found) > 1 else []
 
 
 def _side(part: Part) -> Side | None:

@@ -12,57 +12,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from querycad_contracts import AnswerType
-from querycad_language.weights import calibration, weights
+from querycad_language.weights import weights
 
 from .candidates import Absence, Candidate
+from .confidence import SAY_NOTHING, calibrated
 
-Features = dict[str, float]
 NONE = "none_right"
 """The weight that says how probable it is that no candidate is right: their scores count against it."""
 SHOWN = 3
 """So many readings are shown where none is sure: people choose between two or three."""
 
-_DOUBTS: dict[str, tuple[str, ...]] = {
-    "skipped": (
-        "skip_number", "skip_side", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective",
-    ),
-    "noun": ("skip_noun",),
-    "unknown": ("skip_unknown", "aside_unknown"),
-    "unknown_words": ("unknown_words",),
-    "unknown_whole": ("unknown_whole",),
-    "guessed": ("guessed",),
-    "passed": ("parts_passed", "owner_passed", "link_whole"),
-    "aside": ("aside_noun", "aside_number", "aside_side", "aside_measure", "aside_comparison"),
-    "dropped": (
-        "adjective_dropped", "size_dropped", "place_dropped", "place_unknown", "compound_dropped", "compound_unknown",
-        "trait_dropped", "trait_unknown", "color_dropped", "thread_dropped", "rank_dropped", "nth_dropped",
-        "nth_unchecked",
-    ),
-    "denied": ("place_denied", "end_denied"),
-    "several": ("values_several_for_one", "several_for_one", "values_differ_for_each"),
-    "chosen": ("group_for_one", "group_for_plural"),
-    "alike": ("alike_for_one",),
-    "kin": ("sense_kin", "sense_wide", "kin_instead"),
-    "stretched": ("sense_stretch", "sense_rank"),
-    "measure": ("measure_derived", "measure_foreign"),
-    "miscounted": ("count_differs", "count_group", "one_for_plural"),
-    "whole": ("whole_hollow",),
-    "empty": ("empty", "nothing", "counts_none", "value_zero"),
-    "none_there": ("exists_none",),
-    "yes_no": ("form_check", "form_every", "form_uniform", "form_exists", "form_parallel", "form_within"),
-    "choice": ("form_towards", "form_either", "form_which"),
-    "apart": ("form_distance", "form_combine", "form_angle"),
-    "long": ("words",),
-    "strange": ("strange_words",),
-    "whole_model": ("whole_sense",),
-    "named": ("file_named", "by_name"),
-    "odd": ("named_only", "value_is_extent", "value_too_large", "material_under", "material_between"),
-}  # fmt: skip
-"""What may speak against an answer, whatever else there is: the groups of features that calibration looks at."""
-
-
-SAY_NOTHING = ("chatter", "function", "courtesy")
-"""Classes of words that may be skipped without a word about it."""
 TOLD = 0.1
 """Of readings with one value that which passes over least is told, where it is so likely beside the likeliest."""
 
@@ -126,7 +85,7 @@ def ranked(tried: Sequence[Candidate], untried: Sequence[float] = (), absences: 
         told = min(
             (i for i in members if shares[i] >= TOLD * shares[best]), key=lambda i: (_passed(runs[i]), -shares[i])
         )
-        found.append(Value(runs[told], share, confidence(share, runs[best].features, runs[best].score)))
+        found.append(Value(runs[told], share, calibrated(share, runs[best].features, runs[best].score)))
     absent = math.fsum(shares[len(runs) : len(runs) + len(lacking)])
     return Ranked(tuple(sorted(found, key=lambda one: one.share, reverse=True)), absent)
 
@@ -143,23 +102,3 @@ def softmax(scores: Sequence[float]) -> list[float]:
     weights = [math.exp(score - top) for score in scores]
     total = math.fsum(weights)
     return [weight / total for weight in weights]
-
-
-def doubts(features: Features, score: float) -> Features:
-    """What speaks against an answer, by kind; the score itself is among it."""
-    found = {name: math.fsum(abs(features.get(one, 0.0)) for one in members) for name, members in _DOUBTS.items()}
-    return {**found, "score": score / 5}
-
-
-def odds(share: float) -> float:
-    """The log odds of a share, kept finite."""
-    share = min(max(share, 1e-3), 1 - 1e-3)
-    return math.log(share / (1 - share))
-
-
-def confidence(share: float, features: Features, score: float, table: Features | None = None) -> float:
-    """The probability that an answer is right: logistic in its share and its doubts, fitted in cross-validation."""
-    table = table if table is not None else calibration()
-    z = table.get("bias", 0.0) + table.get("share", 1.0) * odds(share)
-    z += math.fsum(table.get(name, 0.0) * value for name, value in doubts(features, score).items())
-    return 1 / (1 + math.exp(-z))

@@ -23,32 +23,28 @@ from querycad_contracts import (
     RunOutcome,
     RunStatus,
 )
-from querycad_language.forms import Count, Exists, Get, Parts, Reduce, Towards
+from querycad_language.forms import Count, Every, Exists, Get, Parts, Reduce
 from querycad_language.lexicon import lexicon
-from querycad_language.measures import WHOLE
 from querycad_language.phrases import bare_of
 from querycad_language.readings.reader import Reader
-from querycad_language.readings.skipped_words import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .affinity import Affinity
-from .candidates import CALLED_SO, Absence, Candidate, Ground, absences, candidates, is_own, things, with_value
+from .candidates import CALLED_SO, Absence, Candidate, Ground, absences, candidates, things, with_value
 from .companion_values import beside, is_of_whole, of_height, reads_height, standing
+from .confidence import PASSED_OVER, most, skipped, unchecked
 from .drawing.callouts import ids_text, told_parts
 from .drawing.meaning import describe
 from .drawing.numbers import significant
 from .drawing.threads import asks_for_screw, with_screw
 from .judging import Verdict, judge
-from .programs.builder import Read
-from .ranking import SAY_NOTHING, SHOWN, Ranked, Value, ranked, softmax
+from .ranking import SHOWN, Ranked, Value, ranked, softmax
 from .typed import is_like
-from .unanswerable import TAKEN_FOR_WHOLE, Refused, cannot_know, nothing_asked, unread
+from .unanswerable import Refused, cannot_know, nothing_asked, unread
 from .value_order import in_order, order_of
 
 UNTRIED = 0.05
 """Share of the probability that programs may hold which are never run: what they would give counts as another value."""
-RESTRICTING = frozenset(("noun", "measure", "comparison", "side", "number", "negation", "unknown"))
-"""Classes of words without which a yes or no is as often wrong as right: of 137 so answered 70 were right."""
 GRAMS_BELOW_KG = 0.1
 """Lighter parts are told in grams."""
 SHOWN_SHARE = 0.02
@@ -57,27 +53,13 @@ SHOWN_SHARE = 0.02
 LIKELY = 0.15
 """As likely as the likeliest reading is, at least, another one that an agent is told of."""
 
-PASSED_OVER = 0.35
-"""So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
 KIN = 0.5
 """So probable must it be, more likely than not, that a noun which is no product's, 'keyway' or 'rib', means parts of a
 like kind where the model has none of its own: less would be an answer about parts that are called otherwise."""
-NONE_COUNTED = 0.7
-"""So sure, at most, is that there are none: people count what there is. Of 44 surer answers to collected questions 30
-were right."""
-SKIPPED_RESTRICTIONS = ("skip_number", "skip_negation", "skip_comparison", "skip_side")
-NOT_SURE = 0.75
-"""So sure, at most, is a value of a reading that passes over a number, negation, comparison or side, or that could
-not check a word that restricts. Of 136 surer ones by unread writers 16 were wrong, of 680 others 23. So sure is the
-number of parts that are not what the noun itself means: of cutouts as holes."""
 _HOW_FAR = re.compile(r"\bhow (far|long|wide|deep|high|tall|thick)\b", re.IGNORECASE)
 _PLACES = (AnswerType.POINT, AnswerType.POINTS, AnswerType.DIRECTION, AnswerType.DIRECTIONS)
 """What nobody means who asks how far something is."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
-OTHER_CLASS = 0.35
-"""So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
-decides or lists and passes over a word, or gives the smallest extent of a body for the thickness of its material."""
-
 Run = Callable[[Program], RunOutcome]
 """Runs a program against the model that the question is about."""
 
@@ -282,23 +264,7 @@ class Understanding:
         sure = max(best.confidence, best.share / told) if named and not skipped(best.candidate) else best.confidence
         if ids and not (names_all(best.candidate.reading, ids) and self._fits(best.candidate)):
             sure = min(sure, PASSED_OVER)
-        listed = best.candidate.written.expects is AnswerType.PARTS  # nothing that is fitted on is a list
-        if "guessed" in best.candidate.features or (listed and skipped(best.candidate)):
-            sure = min(sure, OTHER_CLASS)
-        if self.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
-            sure = min(sure, OTHER_CLASS)
-        restricting = RESTRICTING.intersection(kind for kind, _ in best.candidate.reading.skipped)
-        closed = isinstance(best.candidate.reading.form, CLOSED | Towards)
-        half = closed and (restricting or unchecked(best.candidate) or _at_several(best.candidate))
-        if "value_for_yes_no" in best.candidate.features or half:
-            sure = min(sure, OTHER_CLASS)
-        counts = isinstance(best.candidate.reading.form, Count)
-        if counts and best.candidate.value == 0:
-            sure = min(sure, NONE_COUNTED)
-        others = counts and not all(map(is_own, best.candidate.grounds.values()))
-        if others or any(map(best.candidate.features.get, SKIPPED_RESTRICTIONS)) or unchecked(best.candidate):
-            sure = min(sure, NOT_SURE)
-        return replace(best, confidence=min(sure, self.at_most))
+        return replace(best, confidence=min(sure, most(best.candidate, self.reader.text), self.at_most))
 
     def _fits(self, candidate: Candidate) -> bool:
         """Are the parts that are named by their ids what is said beside: is hole 4 blind in 'the blind hole 4'?
@@ -419,23 +385,13 @@ class Understanding:
         return tuple(found)
 
 
-def _at_several(candidate: Candidate) -> bool:
-    """Is asked whether parts are at two places, 'on both ends'? That one of them holds is all that is looked at."""
-    places = (place.what for query in candidate.grounds for place in query.places)
-    return any(what is not None and what.count is not None and what.count > 1 for what in places)
-
-
-def _is_bulk(read: Read) -> bool:
-    """Is an extent of a whole body taken for its thickness: is it no sheet, plate or tube of one thickness?"""
-    return read.measure == Measure.THICKNESS and read.kind in WHOLE and read.grade != "own"
-
-
 def meant(candidate: Candidate) -> str:
     """What is asked, in plain words; a noun that is taken for all of the model is said to be."""
     said = describe(candidate.reading.form)
     for query in candidate.grounds:
         said = said.replace(", ".join(query.ids), ids_text(query.ids)) if len(query.ids) > 1 else said
     whole = any(part.kind == "model" for grounded in candidate.grounds.values() for part in grounded.parts)
+    whole = whole and not isinstance(candidate.reading.form, Every)
     return f"{said}, which is the whole model" if whole else said
 
 
@@ -448,20 +404,6 @@ def _told_apart(candidate: Candidate, best: Candidate) -> str:
     if count != other:
         return f"{said}, {count} of them"
     return f"{said}, in another sense of {'the measure' if candidate.written.option else 'the noun'}"
-
-
-def skipped(candidate: Candidate) -> tuple[str, ...]:
-    """The words that carry meaning and that the reading passes over."""
-    return tuple(dict.fromkeys(word for kind, word in candidate.reading.skipped if kind not in SAY_NOTHING))
-
-
-def unchecked(candidate: Candidate) -> tuple[str, ...]:
-    """What restricts, by the words, and could not be checked on the model; what is only taken for the whole model."""
-    found = [said for grounded in candidate.grounds.values() for said in grounded.unchecked]
-    for query, grounded in candidate.grounds.items():
-        if any(grounded.features.get(name) for name in TAKEN_FOR_WHOLE):
-            found.append(f"'{query.noun}', taken for the whole model")
-    return tuple(dict.fromkeys(found))
 
 
 def _program(candidate: Candidate, confidence: float = 0.0) -> Program:

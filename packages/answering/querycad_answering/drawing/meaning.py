@@ -6,6 +6,7 @@ from querycad_contracts import Measure, PartQuery, Relation
 from querycad_language import forms
 from querycad_language.describe import RELATIONS, measure_name, noun_phrase, stated
 from querycad_language.forms import Distance, Form, Get, Reduce
+from querycad_language.phrases import bare_of
 
 _REDUCES = {
     Reduce.DIFFERENT: "different values of the ", Reduce.TOTAL: "total ", Reduce.MEAN: "average ",
@@ -92,6 +93,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"whether there are {noun_phrase(target, several=True).removeprefix('the ')}"
         case forms.AtBothEnds(target):
             return f"whether there are {noun_phrase(target, several=True).removeprefix('the ')} at both ends"
+        case forms.Every(target, among) if bare_of(target, "object"):
+            return f"whether the model is one of {noun_phrase(among, several=True)}"
         case forms.Every(target, among):
             return f"whether {noun_phrase(target)} {_is(target)} among {noun_phrase(among, several=True)}"
         case forms.Uniform(get):

@@ -12,6 +12,7 @@ from querycad_language import forms
 from querycad_language.forms import Count, Distance, Form, Get, Reduce
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import SCALARS, answer_type, of_several
+from querycad_language.phrases import bare_of
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .distances import CORNERS, distance, overlapping
@@ -29,6 +30,8 @@ _DENSE = {Measure.MASS: "{0}.volume", Measure.INERTIA: "[{0}.inertia[i][i] for i
 """Measures that take a density, and what it is multiplied with of the whole."""
 _SURFACES = {"cylindrical face": "cylinder", "conical face": "cone", "spherical face": "sphere"}
 """Faces that are counted as a viewer does, parts of features or not."""
+FULL = 0.999
+"""Share of the volume of the whole model from which on a body is the model."""
 _ENDS = {Reduce.LARGEST: "max", Reduce.SMALLEST: "min"}
 _STEPPED = (Measure.RADIUS, Measure.DIAMETER)
 _OF_STEPS = (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE)
@@ -91,8 +94,7 @@ def _decided(build: Builder, form: Form) -> str:
         case forms.Exists(target):
             return f"len({build.parts(target)}) > 0"
         case forms.Every(target, among):
-            found, kept = build.parts(target), build.parts(among)
-            return f"0 < len({found}) and all(p.id in [q.id for q in {kept}] for p in {found})"
+            return _every(build, target, among)
         case forms.AtBothEnds(target):
             return at_both_ends(build, target)
         case forms.Uniform(get) if get.target is not None:
@@ -109,6 +111,21 @@ def _decided(build: Builder, form: Form) -> str:
             build.compared.append(Compared(None, angles, AnswerType.ANGLE))
             return f"all({limit} < 0.01 for angle in {angles})"
     raise Unwritable
+
+
+def _every(build: Builder, target: PartQuery, among: PartQuery) -> str:
+    """Are all parts among others; is the whole one of them, if it is asked what it is?"""
+    if bare_of(target, "object"):
+        if not any(part.kind.is_whole and _fills(part, build.whole) for part in build.of(among)):
+            raise Unwritable  # that it is not called so does not say that it is none
+        return f"any(p.volume > {FULL} * shape.volume for p in {build.parts(among)})"
+    found, kept = build.parts(target), build.parts(among)
+    return f"0 < len({found}) and all(p.id in [q.id for q in {kept}] for p in {found})"
+
+
+def _fills(part: Part, whole: Part) -> bool:
+    """Is it all that the file holds?"""
+    return part.kind == whole.kind or (part.volume or 0.0) > FULL * (whole.volume or math.inf)
 
 
 def _count(build: Builder, target: PartQuery, measure: Measure | None) -> str:

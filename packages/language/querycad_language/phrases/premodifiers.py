@@ -45,7 +45,7 @@ def _determiner(text: Text, at: int, build: PhraseBuilder) -> int:
         return span.end
     if span := text.find(at, "quantifier"):
         return span.end
-    if (span := text.find(at, "article")) and not (text.find(at, "pronoun") and not noun_follows(text, span.end)):
+    if (span := text.find(at, "article")) and not (text.find(at, "pronoun") and not _determines(text, at, span.end)):
         build.definite = build.definite or text.words[at] not in ("a", "an", "such")
         build.article = True
         if text.is_word(at, "this", "my", "our"):  # later it points to what was said
@@ -56,6 +56,13 @@ def _determiner(text: Text, at: int, build: PhraseBuilder) -> int:
         build.count = {"single": 1, "one": None}.get(text.words[at], span.value)
         return span.end
     return at
+
+
+def _determines(text: Text, at: int, end: int) -> bool:
+    """Does the noun of 'this' follow: 'is this washer …', but not 'is this a washer', 'is this hollow?'"""
+    trait = text.find(end, "adjective")
+    said = trait and text.is_word(trait.end, "?") and text.find(at - 1, "be") and not text.any_in(range(at), "ask")
+    return noun_follows(text, end) and not (text.is_word(end, "a", "an") or said)
 
 
 def _number(text: Text, at: int, build: PhraseBuilder) -> int:

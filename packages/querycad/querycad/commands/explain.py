@@ -9,9 +9,10 @@ from typing import Any
 
 from querycad.runtime import EmbeddedRuntime
 from querycad_answering.candidates import Absence, Candidate
+from querycad_answering.confidence import skipped, unchecked
 from querycad_answering.ranking import Value, key, softmax
 from querycad_answering.typed import WrongAnswerType, typed_answer
-from querycad_answering.understanding import Understanding, meant, skipped, unchecked
+from querycad_answering.understanding import Understanding, meant
 from querycad_contracts import Expectation, LengthUnit
 from querycad_language.describe import noun_phrase
 from querycad_language.weights import weights

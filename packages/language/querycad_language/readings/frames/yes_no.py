@@ -21,6 +21,7 @@ from .predicates import all_such, first_of, verb_start
 from .values import density_of
 
 _WIDE = ("wide", "big", "large", "long", "deep", "high", "tall", "thick")
+_BODIES = PartQuery(noun="body", words=("body",), plural=True)
 _LARGEST_BORE = PartQuery(noun="bore", words=("bore",), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
 
 
@@ -48,7 +49,7 @@ def _claims(question: Question, start: int) -> Iterator[Parse]:
     yield from _alike(text, start, parts, asked)
     if text.is_word(start + 1, "there"):
         return
-    yield from _of_kind(text, parts[:2])
+    yield from _of_kind(question, start)
     yield from _fits(question, start)
     if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'width > 80 mm?'
         yield _checked(text, None, found[0], asked).with_more({}, found[1])
@@ -75,12 +76,11 @@ def _sized(question: Question, mention: Mention, asked: Sequence[Requested]) -> 
 def _overlapping(question: Question, start: int) -> Iterator[Parse]:
     """'Do the rollers overlap?', 'Is the key in contact with the hub?', 'What volume do they share in overlap?'"""
     text, last = question.text, question.asking[1] - 1
-    bodies = PartQuery(noun="body", words=("body",), plural=True)
     meeting = {last} if text.is_word(last, "meet", "intersect", "cross") else set()  # 'do the bores meet?'
     for contact, said in ((False, text.at_phrases("overlap")), (True, text.at_phrases("contact") | meeting)):
         named = [m for m in question.mentions if m.start >= start and m.used.isdisjoint(said)][:2]
         named = named[:1] if len(named) > 1 and named[1].pronoun else named  # 'do they touch one another'
-        meant = [one.query or bodies for one in named] or [bodies]
+        meant = [one.query or _BODIES for one in named] or [_BODIES]
         shared = Distance(meant[0], meant[1] if len(meant) > 1 else "each other", "overlap", reduce=Reduce.SMALLEST)
         touching = Check(replace(shared, mode="surfaces"), Relation.AT_MOST, 0.0)
         if said:
@@ -163,14 +163,26 @@ def _around(query: PartQuery | None) -> Iterator[PartQuery]:
         yield from _around(other)
 
 
-def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Parse]:
-    """'Are all lugs 5 mm round lugs?', 'Is the hole a counterbore?'"""
-    for first, second in pairwise(parts):
+def _of_kind(question: Question, start: int) -> Iterator[Parse]:
+    """'Are all lugs 5 mm round lugs?', 'Is the hole a counterbore?', 'Is this a washer?'"""
+    text = question.text
+    for first, second in list(pairwise(m for m in question.mentions if m.start >= start))[:1]:
         said = text.is_word(second.start, "a", "an") or (second.plural and second.start == first.end)
         has = any(text.find(i, "have") for i in range(first.end, second.start))  # 'does the shaft have a flat'
-        if said and not has and first.query and second.query:
-            every = Every(first.query, replace_fields(second.query, plural=True, sample=True))
-            yield Parse(every, {"predicate": 1.0}, first.used | second.used)
+        before = question.antecedent(start) if first.pronoun else None
+        target = (before or first).query or PartQuery(noun="object", words=("object",))
+        one = second.query is not None and second.query.noun in ("body", "object", "part")
+        one = one and text.is_word(second.head - 1, "one", "single")
+        if text.is_word(second.head, "assembly") or (one and not (before or first).query):
+            number = Check(Count(_BODIES), Relation.EQUAL if one else Relation.MORE, 1.0)
+            yield Parse(number, {"predicate": 1.0}, first.used | second.used)  # 'is this one body?'
+        elif first.end == second.head and target.noun == "object" and (trait := text.find(second.head, "adjective")):
+            yield Parse(
+                Every(_BODIES, all_such(_BODIES, trait.value.name)), {"predicate": 1.0}, first.used | second.used
+            )
+        elif said and not has and second.query:
+            every = Every(target, replace_fields(second.query, plural=True, sample=True))
+            yield Parse(every, {"predicate": 1.0}, first.used | second.used.union(*(m.used for m in [before] if m)))
 
 
 def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Requested]) -> Iterator[Parse]:
@@ -244,17 +256,17 @@ def _any_of(text: Text, mention: Mention) -> bool:
 
 def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iterator[Parse]:
     """'Are the ports really round?', 'Is the lever red?': what is said of them behind the noun."""
-    named = mention.query
-    target = named or PartQuery(noun="object")
+    named, target = mention.query, mention.query or PartQuery(noun="object")
     spans = (text.find(at, "adjective") for at in range(mention.end, len(text)) if at not in mention.used)
     said = (one for one in spans if one is not None and one.value.tags and not text.is_word(one.start, "side"))
     span = next(said, None)
     if span is None or any(span.start in one.used for one in others):
         return  # said of another part
-    if named is not None or span.value.decided:  # the whole has no other tags
-        such = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
-        every = named is not None and not _any_of(text, mention)
-        yield Parse(Every(target, all_such(such)) if every else Exists(such), {"predicate": 1.0}, set(span.tokens))
+    if named is None and not span.value.decided:  # tags of bodies: 'is it hollow?'
+        named = target = _BODIES
+    such = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
+    every = named is not None and not _any_of(text, mention)
+    yield Parse(Every(target, all_such(such)) if every else Exists(such), {"predicate": 1.0}, set(span.tokens))
 
 
 def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilter, set[int]] | None:
