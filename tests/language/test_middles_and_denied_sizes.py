@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from querycad_contracts import Measure, Relation, SizeFilter
+from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
 from querycad_language.forms import Check, Count, Distance, Get
 from querycad_language.readings.reader import read
 
@@ -43,3 +43,13 @@ def test_words_of_arithmetic_are_not_passed_over_in_silence(question: str) -> No
 def test_half_of_a_part_is_no_arithmetic() -> None:
     readings = read("How wide is the upper half of the lid?")
     assert any("skip_comparison" not in reading.features for reading in readings)
+
+
+@pytest.mark.parametrize(
+    ("question", "two"),
+    [("What is the stud spacing of the lid?", False), ("What is the stud spacing from the lid?", True)],
+)
+def test_the_spacing_of_parts_of_another_is_no_distance_between_the_two(question: str, two: bool) -> None:
+    distances = [reading.form for reading in read(question) if isinstance(reading.form, Distance)]
+    assert any(form.second == "each other" for form in distances)
+    assert any(isinstance(form.first, PartQuery) and isinstance(form.second, PartQuery) for form in distances) is two

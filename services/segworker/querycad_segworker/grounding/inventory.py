@@ -129,9 +129,12 @@ class Inventory:
         )
 
     def file_named(self, words: Sequence[str]) -> bool:
-        """Do these words name the whole model, by the name of its file or assembly?"""
+        """Do these words name the whole model, by the name of its file or assembly? No motor is a motor bracket."""
         have = all_words(self.model.name) if self.model is not None else []
-        return bool(words) and all(word in have for word in words)
+        if not words or not all(word in have for word in words):
+            return False
+        behind = {*have[have.index(words[-1]) + 1 :][:1]} - {"body", *lexicon().words("whole")}
+        return lexicon().nouns.keys().isdisjoint(behind)
 
 
 def values_of(part: Part, measure: Measure | None) -> list[float]:

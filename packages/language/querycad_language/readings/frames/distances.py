@@ -297,6 +297,9 @@ def _two(text: Text, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) 
         if isinstance(one.anchor, PartQuery) and one.anchor == two.anchor:  # 'eye to eye'
             both = replace_fields(one.anchor, plural=True)
             yield _Pair(both, "each other", used, {"each_other": 1.0, "two_anchors": 1.0})
+        compound = text.find(max(one.used) + 1, "distance") and text.is_word(min(two.used) - 1, "of", "in", "on")
+        if compound and isinstance(two.anchor, PartQuery):
+            continue  # 'the hole spacing of the grid' is that of its holes
         if not itself and (one.placed or two.placed):
             mate = {"axis_of_mate": 1.0} if one.mate or two.mate else {}
             yield _Pair(one.anchor, two.anchor, used, {"two_anchors": 1.0, **mate, "led": _led(text, one, two)})
