@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from tests.segworker.shapes import box, cut, cylinder, write_step
+from tests.segworker.shapes import box, cone, cut, cylinder, write_step
 
 from querycad.model import Model
 from querycad.runtime import EmbeddedRuntime
@@ -88,3 +88,14 @@ def test_corners_of_a_rectangle_lie_on_the_circle_through_them(plate: Model) -> 
     reply = plate.ask("What is the diameter of the bolt circle of the 5 mm holes?")
     assert reply.answer is not None
     assert reply.answer.value == pytest.approx((0.06**2 + 0.04**2) ** 0.5)
+
+
+@pytest.mark.parametrize(("top", "sure"), [(19.0, True), (10.0, False)])
+def test_the_slope_of_a_countersink_is_no_draft(
+    runtime: EmbeddedRuntime, tmp_path: Path, top: float, sure: bool
+) -> None:
+    """A frustum, 20 high on a radius of 20: 3 degrees are a draft, 27 are none."""
+    model = runtime.open(write_step(tmp_path / "model.step", cone(20, top, 20)))
+    reply = model.ask("What is the draft angle?")
+    assert reply.confidence is not None
+    assert (reply.confidence >= SURE) is sure

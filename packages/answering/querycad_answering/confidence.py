@@ -117,6 +117,8 @@ def _limits(candidate: Candidate, text: Text) -> Iterator[float]:
         yield OTHER_CLASS
     if text.at_phrases("stuff") and any(map(_is_bulk, candidate.written.reads)):
         yield OTHER_CLASS
+    if features.get("value_steep") and not any(query.words for query in candidate.grounds):
+        yield OTHER_CLASS  # where no cone is named, the draft is none of a countersink or drill tip
     restricting = RESTRICTING.intersection(kind for kind, _ in candidate.reading.skipped)
     if isinstance(form, CLOSED | Towards) and (restricting or unchecked(candidate) or _at_several(candidate)):
         yield OTHER_CLASS
