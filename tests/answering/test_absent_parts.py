@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.made import hole, view, whole
+from tests.made import hole, part, view, whole
 
 from querycad_answering.candidates import Absence
 from querycad_answering.ranking import Ranked, ranked
@@ -21,6 +21,7 @@ from querycad_contracts import (
     RunStatus,
     Side,
 )
+from querycad_language.forms import Towards
 from querycad_language.readings.reader import Reader
 
 HOLES = (hole(1, -20, faces=(1,)), hole(2, 0, diameter=0.012, depth=0.004, faces=(2,)), hole(3, 20, 9, faces=(3,)))
@@ -104,3 +105,13 @@ def test_what_is_in_another_place_is_told_to_be_there(place: str, features: tupl
     query = PartQuery(noun="hole", words=("hole",), definite=True).model_copy(update=left)
     missing = Absence(query, Grounded(parts=(), features=dict.fromkeys(features, 1.0)), {})
     assert Refused(Reader("How deep is it?"), ()).absent(missing).message == message
+
+
+@pytest.mark.parametrize(("noun", "guessed"), [("holes", False), ("gussets", True)])
+def test_the_side_of_parts_that_are_there_is_not_that_of_guesses(noun: str, guessed: bool) -> None:
+    notches = [part(f"notch-{i}", (0.03 * i, 0.0, 0.0), width=0.004, length=0.02, depth=0.003) for i in (1, 2)]
+    asked = Understanding(f"Which side has the most {noun}?", view(hole(1), hole(2, 20), *notches), Expectation())
+    towards = [found for found in asked.ranked if isinstance(found.reading.form, Towards)]
+    taken = {one.kind for found in towards for way in found.grounds.values() for one in way.parts}
+    assert taken
+    assert ("notch" in taken) is guessed

@@ -53,3 +53,8 @@ def test_the_spacing_of_parts_of_another_is_no_distance_between_the_two(question
     distances = [reading.form for reading in read(question) if isinstance(reading.form, Distance)]
     assert any(form.second == "each other" for form in distances)
     assert any(isinstance(form.first, PartQuery) and isinstance(form.second, PartQuery) for form in distances) is two
+
+
+@pytest.mark.parametrize(("question", "alone"), [("What are the stud heights?", False), ("And the stud?", True)])
+def test_where_every_word_is_read_no_reading_takes_the_part_alone(question: str, alone: bool) -> None:
+    assert any("named_only" in one.features for one in read(question)) is alone

@@ -11,7 +11,20 @@ from functools import cache
 from typing import Any
 
 from querycad_contracts import AnswerType, Bottom, Grounded, Measure, Part, PartQuery
-from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, Which, queries
+from querycad_language.forms import (
+    Count,
+    Distance,
+    Either,
+    Every,
+    Exists,
+    Form,
+    Get,
+    Parts,
+    Reduce,
+    Towards,
+    Which,
+    queries,
+)
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import bare_of
 from querycad_language.readings import Reading
@@ -229,7 +242,8 @@ def _best(
 ) -> tuple[list[Way], list[Way]]:
     """The ways to ground a query of a reading, the best first, and those that only guess what its noun means."""
     found = [(i, way) for i, way in enumerate(ways) if not _drops(reading, query, way)]
-    if isinstance(reading.form, Count):  # where there are holes, 'holes' are no pockets
+    if isinstance(reading.form, Count) or (isinstance(reading.form, Towards) and query.plural):
+        # where there are holes, 'holes' are no pockets
         own = {part.kind for _, way in found if is_own(way) and _fits_number(way) for part in way.parts}
         kinds = [{part.kind for part in way.parts} for _, way in found]
         found = [one for one, told in zip(found, kinds, strict=True) if not (own and told) or own & told]

@@ -55,6 +55,8 @@ class Reader(Question):
         operations = {i for i in self.text.at_phrases("operation") if self.in_question(i)}
         if operations and any(isinstance(one.form, Combine) and operations <= one.used for one in best.values()):
             best = {form: one for form, one in best.items() if not operations.isdisjoint(one.used)}
+        if any("named_only" not in one.features and not one.skipped for one in best.values()):  # every word is read
+            best = {form: one for form, one in best.items() if "named_only" not in one.features}
         decided = [one for one in best.values() if isinstance(one.form, CLOSED)] if self.closed else []
         whole = any(not one.skipped for one in decided)  # yes or no to every word: no value is asked
         return sorted(decided if whole else best.values(), key=_prior, reverse=True)[:MAX_READINGS]
