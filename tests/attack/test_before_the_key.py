@@ -20,6 +20,7 @@ import uvicorn
 from starlette.types import Message, Receive, Scope, Send
 from tests.api.fakes import STEP
 
+from querycad_api import connections
 from querycad_api.accounts.keys import KeyRing
 from querycad_api.app import make_app
 from querycad_api.connections import HEAD_BYTES, limits
@@ -106,6 +107,21 @@ def test_who_is_refused_cannot_go_on_sending(port: int) -> None:
         connection.sendall(head)
         assert connection.recv(65536).startswith(b"HTTP/1.1 401 ")
         assert sent(connection, slowly(0.1, 200), most_s=15) < 120  # it is closed after some seconds
+
+
+@pytest.mark.parametrize("whole", [True, False])
+def test_who_was_refused_keeps_the_connection_if_the_body_came(
+    port: int, monkeypatch: pytest.MonkeyPatch, whole: bool
+) -> None:
+    monkeypatch.setattr(connections, "LINGER_S", 0.5)
+    with connected(port) as connection:
+        connection.sendall(b"POST /v1/models HTTP/1.1\r\nHost: x\r\nContent-Length: 9\r\n\r\n")
+        assert connection.recv(65536).startswith(b"HTTP/1.1 401 ")
+        connection.sendall(b"123456789" if whole else b"12345678")
+        time.sleep(0.7)
+        with contextlib.suppress(OSError):
+            connection.sendall(b"GET /livez HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n")
+        assert said(connection)[:12] == (b"HTTP/1.1 200" if whole else b"")
 
 
 @pytest.mark.parametrize(

@@ -7,14 +7,17 @@ import resource
 from typing import Any, ClassVar
 
 import h11
-from uvicorn.protocols.http.h11_impl import H11Protocol
+from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
 
 HEAD_BYTES = 32 * 1024
 """Request line and headers; browsers send some 2 KiB."""
 HEAD_S = 10.0
 """In which the head of a request must have come."""
 LINGER_S = 5.0
-"""In which a client may read an answer that came before it had sent its whole body."""
+"""In which the rest of a body must come that was answered before its end; then the connection goes on."""
+KEEP_S = 20
+"""How long a connection may be idle: longer than clients keep one (httpx 5 s, aiohttp 15 s), so that none sends a
+request just as it is closed."""
 SPARE_FILES = 256
 """Open files that are left to the store, uploads and libraries."""
 
@@ -61,11 +64,16 @@ class Bounded(H11Protocol):
         super().connection_lost(exc)
 
     def on_response_complete(self) -> None:
-        """What was answered before its body had come is not read to its end."""
+        """What was answered before its body had come is passed over, for a while."""
         super().on_response_complete()
         if self.conn.their_state is h11.SEND_BODY and not self.transport.is_closing():
             self._unset_keepalive_if_required()
-            self.loop.call_later(LINGER_S, self.transport.close)
+            self.loop.call_later(LINGER_S, self._end_unread, self.cycle)
+
+    def _end_unread(self, cycle: RequestResponseCycle) -> None:
+        """Closes the connection whose body still comes; another request on it has nothing to do with that."""
+        if self.cycle is cycle and self.conn.their_state is h11.SEND_BODY:
+            self.transport.close()
 
     def _await_head(self) -> None:
         if self._head_timer is None:
@@ -89,4 +97,9 @@ def limits(connections: int, of_one: int, head_s: float = HEAD_S) -> dict[str, A
     """Options of uvicorn that limit what connections cost before anybody is known."""
     most = min(connections, more_files())
     protocol = type("Protocol", (Bounded,), {"most": most, "most_of_one": min(of_one, most), "head_s": head_s})
-    return {"http": protocol, "ws": "none", "h11_max_incomplete_event_size": HEAD_BYTES}
+    return {
+        "http": protocol,
+        "ws": "none",
+        "h11_max_incomplete_event_size": HEAD_BYTES,
+        "timeout_keep_alive": KEEP_S,
+    }
