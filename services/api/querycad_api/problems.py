@@ -119,6 +119,10 @@ class TooManyRequests(ApiProblem, status=HTTPStatus.TOO_MANY_REQUESTS, title="To
     """The API key makes too many requests, or has too many open questions."""
 
 
+class TooManyQuestions(ApiProblem, status=HTTPStatus.UNPROCESSABLE_ENTITY, title="Too many questions"):
+    """The batch holds more questions than the API key may have open."""
+
+
 class FileTooLarge(ApiProblem, status=HTTPStatus.REQUEST_ENTITY_TOO_LARGE, title="File too large"):
     """The file is larger than what is accepted."""
 

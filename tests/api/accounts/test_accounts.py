@@ -126,6 +126,22 @@ def test_a_key_has_so_many_open_questions_and_no_more(api: httpx.Client, ring: K
     assert ask(api, key).status_code == 202
 
 
+def test_a_batch_that_no_key_may_have_open_is_not_worth_repeating(api: httpx.Client, ring: KeyRing) -> None:
+    key = ring.create("acme")
+    model = upload(api, key).json()["id"]
+
+    def batch(size: int) -> Any:
+        body = {"questions": [{"question": f"How many holes with {n} steps?"} for n in range(size)]}
+        return api.post(f"/v1/models/{model}/questions/batch", json=body, headers=bearer(key))
+
+    refused = batch(4)
+    assert (refused.status_code, refused.json()["retryable"]) == (422, False)
+    assert "retry-after" not in refused.headers
+    assert "at most 3" in refused.json()["detail"]
+    assert batch(3).status_code == 202
+    assert (batch(1).status_code, batch(1).json()["retryable"]) == (429, True)
+
+
 def test_a_key_makes_so_many_requests_and_no_more(guarded: ApiSettings, ring: KeyRing, serving: Any) -> None:
     key, another = ring.create("acme"), ring.create("acme")
     with serving(make_app(guarded.model_copy(update={"key_rate": "5/hour"}))) as api:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Annotated
+from typing import Annotated, Final
 
 from fastapi import APIRouter, Header, Request, Response
 from redis.exceptions import RedisError
@@ -23,8 +23,10 @@ from querycad_api.problems import (
     KeyReused,
     Malformed,
     ModelNotFound,
+    NotAsDocumented,
     ServiceUnavailable,
     TooLarge,
+    TooManyQuestions,
     TooManyRequests,
     WrongMediaType,
     responses,
@@ -44,7 +46,10 @@ IdempotencyKeyDep = Annotated[
     ),
 ]
 
-PROBLEMS = responses(Malformed, TooLarge, WrongMediaType, ModelNotFound, KeyReused, TooManyRequests, ServiceUnavailable)
+PROBLEMS: Final = (
+    *(Malformed, TooLarge, WrongMediaType, ModelNotFound, NotAsDocumented, KeyReused),
+    *(TooManyRequests, ServiceUnavailable),
+)
 
 router = APIRouter(prefix="/v1/models/{model_id}", tags=["questions"])
 
@@ -54,7 +59,7 @@ router = APIRouter(prefix="/v1/models/{model_id}", tags=["questions"])
     response_model=None,
     status_code=202,
     responses={
-        **PROBLEMS,
+        **responses(*PROBLEMS),
         200: {"description": "The job is done: its `record` has the answer, or why there is none.", "model": Job},
         202: {"description": "The question was accepted; the job at `Location` will hold the answer.", "model": Job},
     },
@@ -79,7 +84,7 @@ async def ask(
     response_model=None,
     status_code=202,
     responses={
-        **PROBLEMS,
+        **responses(*PROBLEMS, TooManyQuestions),
         200: {"description": "All are done; their jobs hold the answers, in the order asked.", "model": JobsPage},
         202: {"description": "The questions were accepted; a job each, in the order asked.", "model": JobsPage},
     },

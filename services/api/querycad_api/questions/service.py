@@ -9,7 +9,7 @@ from uuid import uuid4
 from redis.exceptions import RedisError
 
 from querycad_api.dependencies import Services, no_model
-from querycad_api.problems import KeyReused, TooManyRequests
+from querycad_api.problems import KeyReused, TooManyQuestions, TooManyRequests
 from querycad_api.store.keyspace import now
 from querycad_api.store.state import Once
 from querycad_contracts import Job, JobStatus, QuestionRequest, QuestionTask
@@ -20,8 +20,13 @@ on the queue all the same, it is answered once: the second to take it finds the 
 
 
 async def accept(services: Services, model: str, asked: Sequence[QuestionRequest], key: str | None) -> tuple[Job, ...]:
-    """The jobs of the questions. Raises ModelNotFound, KeyReused, TooManyRequests and ServiceUnavailable."""
-    caller = services.caller
+    """The jobs of the questions.
+
+    Raises ModelNotFound, KeyReused, TooManyQuestions, TooManyRequests and ServiceUnavailable.
+    """
+    caller, most = services.caller, services.settings.key_questions
+    if caller.key and len(asked) > most:
+        raise TooManyQuestions(f"at most {most} open questions for one API key: ask so many at once, not {len(asked)}")
     tasks = [
         QuestionTask(
             model=model, job=uuid4().hex, tenant=caller.tenant, key=caller.key, **each.model_dump(exclude_unset=True)
@@ -32,8 +37,8 @@ async def accept(services: Services, model: str, asked: Sequence[QuestionRequest
         tasks, known = await _claimed(services, tasks, key)
         if known:
             return known
-    if caller.key and not await services.state.reserve(tasks, services.settings.key_questions):
-        raise TooManyRequests(f"at most {services.settings.key_questions} open questions for one API key")
+    if caller.key and not await services.state.reserve(tasks, most):
+        raise TooManyRequests(f"at most {most} open questions for one API key")
     jobs = await services.state.add_jobs(tasks)
     if not jobs:
         await services.state.forget_jobs(tasks)
