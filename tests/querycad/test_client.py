@@ -6,7 +6,9 @@ import asyncio
 import inspect
 import socket
 from collections.abc import Callable
+from json import loads
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -26,6 +28,9 @@ from querycad_contracts import (
     JobStatus,
     LengthUnit,
     ModelResource,
+    ParameterRequest,
+    ParameterSet,
+    ParametersRequest,
     Problem,
     RunOutcome,
     RunStatus,
@@ -263,6 +268,25 @@ def test_an_answer_of_some_other_server_is_no_answer(status: int) -> None:
         asking.model(MODEL)
 
 
+PARAMETER = {"name": "holes", "type": "count"}
+
+
+@pytest.mark.parametrize(
+    ("asked", "options"),
+    [
+        (ParametersRequest.model_validate({"parameters": [PARAMETER], "unit": "in"}), {}),
+        ({"parameters": [PARAMETER], "unit": "in"}, {}),
+        ([PARAMETER], {"unit": "in"}),
+        ([ParameterRequest.model_validate(PARAMETER)], {"unit": "in"}),
+    ],
+)
+def test_parameters_are_asked_for_by_a_request_or_its_fields(asked: Any, options: dict[str, Any]) -> None:
+    found = ParameterSet.model_validate({"unit": "in", "angle_unit": "rad", "parameters": [], "open": []})
+    with (made := client(json(found)))[0] as asking:
+        assert asking.parameters(MODEL, asked, **options) == found
+    assert loads(made[1][0].content) == {"parameters": [PARAMETER], "unit": "in"}
+
+
 def test_a_file_that_is_not_there_is_not_uploaded(tmp_path: Path) -> None:
     with client()[0] as asking, pytest.raises(FileNotFoundError):
         asking.upload(tmp_path / "none.step")
@@ -270,7 +294,11 @@ def test_a_file_that_is_not_there_is_not_uploaded(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("question", "key", "said"),
-    [("", "", "question: "), ("?" * 2001, "", "question: "), ("?", "schlüssel", KEY_VARIABLE)],
+    [
+        ("", "", "bad input: the question is empty"),
+        ("?" * 2001, "", "bad input: the question has"),
+        ("?", "schlüssel", KEY_VARIABLE),
+    ],
 )
 def test_what_no_service_would_take_is_one_line_of_the_command(
     question: str,

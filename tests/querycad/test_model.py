@@ -7,7 +7,7 @@ import inspect
 import json
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from functools import partial
 from hashlib import sha256
@@ -18,7 +18,8 @@ import httpx
 import pytest
 
 import querycad
-from querycad import AsyncClient, AsyncModel, Client, EmbeddedRuntime, FileProblem, Model, NoValue
+from querycad import AsyncClient, AsyncModel, Client, EmbeddedRuntime, FileProblem, Model, NoValue, ServerProblem
+from querycad_api.problems import ApiProblem, FileTooLarge, NotStepFile, QuotaReached
 from querycad_contracts import (
     AnswerType,
     Failure,
@@ -172,6 +173,50 @@ def test_a_question_that_has_no_answer_is_a_reply_too(either: Model) -> None:
         reply.picture()
 
 
+@pytest.mark.parametrize("question", ["", " \n", "how deep is it? " * 200, "How many \udcff holes?"])
+def test_what_is_no_question_is_told_so_and_nothing_is_raised(either: Model, question: str) -> None:
+    reply = either.ask(question)
+    assert reply.failure is not None
+    assert reply.failure.category is FailureCategory.BAD_INPUT
+    assert reply.failure.message.startswith("the question ")
+    assert json.loads(reply.model_dump_json())["status"] == "failed"
+
+
+def test_one_may_be_given_where_several_may(either: Model) -> None:
+    assert either.ask("How deep is it?", select="hole-4").text == either.ask("How deep is it?", select=["hole-4"]).text
+    counted = "How many counterbored holes are there?"
+    assert either.ask("And how deep are they?", context=counted).text == "22 mm (each of 8)"
+    assert either.find_parts("holes", sides="top") == either.find_parts("holes", sides=["top"])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "says"),
+    [
+        (
+            lambda model: model.measure("diametre", "hole-4"),
+            "'diametre' is no measure, perhaps 'diameter' is meant; .*",
+        ),
+        (lambda model: model.table("screws"), ".* is no table; there are holes, slots, .*"),
+        (lambda model: model.picture("above"), ".* is no view; there are isometric, top, .*"),
+        (lambda model: model.picture("top", width=32), "a picture has 64 to 2048 pixels each way, not 32 x 600"),
+        (lambda model: model.describe("yard"), "'yard' is no unit; there are mm, cm, m, in"),
+        (lambda model: model.find_parts("holes", sides=["north"]), ".* is no side; there are top, .*"),
+        (lambda model: model.find_parts(" "), "a phrase for parts has 1 to 500 characters"),
+        (lambda model: model.find_parts("hole " * 200), "a phrase for parts has 1 to 500 characters"),
+        (lambda model: model.ask("How many holes?", expect="lenght"), ".* perhaps 'length' is meant; .*"),
+        (lambda model: model.distance("hole-4", "hole-6", "axes"), "a distance is between surfaces or centers, .*"),
+        (lambda model: model.measure("mass", density=-5), "a density is more than 0 kg/m3, not -5"),
+        (lambda model: model.measure("mass", density=float("nan")), "a density is more than 0 kg/m3, not nan"),
+        (lambda model: model.measure("diameter", []), "no part is given to be measured"),
+    ],
+)
+def test_what_does_not_exist_is_refused_with_what_does(
+    either: Model, wrong: Callable[[Model], object], says: str
+) -> None:
+    with pytest.raises(ValueError, match=f"^{says}$"):
+        wrong(either)
+
+
 def test_what_is_said_of_a_question_counts(either: Model) -> None:
     before = ["How many counterbored holes are there?"]
     assert either.ask("And how deep are they?", context=before).text == "22 mm (each of 8)"
@@ -267,6 +312,11 @@ def test_a_file_that_cannot_be_read_says_why(runtime: EmbeddedRuntime, model: Mo
     with pytest.raises(FileProblem, match="no such file"):
         querycad.open(tmp_path / "none.step")
     service = Service(model, ROOT / "examples/flange.step")
+    with Client("http://service", transport=httpx.MockTransport(service.answer)) as client:
+        with pytest.raises(FileProblem, match=f"^no such file: {tmp_path}/none.step$"):
+            client.open(tmp_path / "none.step")
+        with pytest.raises(FileProblem, match="not a file: "):
+            client.open(tmp_path)
     failure = Failure(category=FailureCategory.BAD_INPUT, message="it is an HTML document")
     service.resource = service.resource.model_copy(update={"status": ModelStatus.FAILED, "failure": failure})
     with Client("http://service", transport=httpx.MockTransport(service.answer)) as client:
@@ -275,6 +325,23 @@ def test_a_file_that_cannot_be_read_says_why(runtime: EmbeddedRuntime, model: Mo
         service.resource = service.resource.model_copy(update={"status": ModelStatus.READING, "failure": None})
         with pytest.raises(TimeoutError, match="within 0 s"):
             client.open(tmp_path / "page.step", timeout_s=0)
+
+
+@pytest.mark.parametrize(
+    ("refusal", "raised"),
+    [
+        (NotStepFile("it is a song"), FileProblem),
+        (FileTooLarge("it is large"), FileProblem),
+        (QuotaReached("too much"), ServerProblem),
+    ],
+)
+def test_a_file_that_a_service_refuses_is_a_bad_file_here_too(
+    refusal: ApiProblem, raised: type[Exception], flange: Path
+) -> None:
+    problem = refusal.problem()
+    transport = httpx.MockTransport(lambda _: _said(problem, problem.status))
+    with Client("http://service", transport=transport) as client, pytest.raises(raised, match=f"^{refusal}$"):
+        client.open(flange)
 
 
 def test_a_model_that_a_service_holds_is_opened_by_its_id(model: Model, flange: Path) -> None:

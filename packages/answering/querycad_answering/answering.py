@@ -84,7 +84,8 @@ def answer_question(
     draws it for eyes, where any are set up.
     """
     clock = _Clock()
-    too_long = len(question) > MAX_CHARS
+    if (none := no_question(question)) is not None:
+        return none
     question = folded(question)
     unit = asked_unit(question) or unit
     expect = options.expect or Expectation()
@@ -105,9 +106,6 @@ def answer_question(
     if seeing is not None:
         run = seeing.running(run)
         view = seeing.viewing(view) if options.grounding is GroundedBy.EYES else view
-    if not question or too_long:
-        why = f"the question has more than {MAX_CHARS:,} characters" if too_long else "the question is empty"
-        return _refused(question, why, clock, least)
     try:
         asked_for, at_most = _stands_alone(question, options, run, view, unit)
     except NotFollowed as error:
@@ -231,6 +229,20 @@ def _compound(
             understanding.at_most = min(understanding.at_most, AS_ONE)
             return None
     return both
+
+
+def no_question(question: str) -> AnswerRecord | None:
+    """The record of what is no question, as it is empty, too long or no text; None of what may be one."""
+    sendable = question.encode(errors="replace").decode()
+    if len(question) > MAX_CHARS:
+        why = f"the question has more than {MAX_CHARS:,} characters"
+    elif not question.strip():
+        why = "the question is empty"
+    elif sendable != question:
+        why = "the question is no valid Unicode text"
+    else:
+        return None
+    return _refused(folded(sendable), why, _Clock(), LEAST_CONFIDENCE)
 
 
 def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:

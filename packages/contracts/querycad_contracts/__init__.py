@@ -34,7 +34,7 @@ from .drawings import (
     TableFormat,
     TableKind,
 )
-from .file_kinds import HEAD_BYTES, FileKind, file_kind, is_3mf
+from .file_kinds import HEAD_BYTES, FileKind, file_kind, is_3mf, no_kind
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
     Body,

@@ -66,6 +66,24 @@ def file_kind(head: bytes) -> FileKind | None:
     return FileKind.STL if _is_binary_stl(head) else None
 
 
+def no_kind(head: bytes) -> str:
+    """Why can a file that begins with these bytes not be read, of which `file_kind` gives no kind? One sentence."""
+    return f"not a STEP file: {_looks_like(head)}"
+
+
+def _looks_like(head: bytes) -> str:
+    text = head[:512].removeprefix(_BOM).lstrip()
+    if head.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "it is encoded as UTF-16; save it as plain text first"
+    if text[:1] == b"<":
+        return "it is an HTML or XML document"
+    if text.startswith(b"solid"):
+        return "it begins like an STL file, and holds no facet"
+    if b"\x00" in head:
+        return "it holds binary data"
+    return "it does not begin with ISO-10303-21; nor is it IGES, BREP, a mesh or an archive"
+
+
 def is_3mf(names: Iterable[str]) -> bool:
     """Is an archive with files of these names a 3MF?"""
     return any(name.lower().startswith("3d/") and name.lower().endswith(".model") for name in names)

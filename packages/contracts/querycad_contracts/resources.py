@@ -18,6 +18,9 @@ from .geometry import Frozen, GroundedBy, Part, Side
 from .runs import RunId, RunOutcome, RunStatus
 from .services import JobId, ModelId, ModelSummary, QuestionRequest, ReadingStage
 
+DESCRIPTION_CHARS = 500
+"""Of the longest phrase for parts."""
+
 
 class ProblemError(Frozen):
     """One place where a request is not as documented."""
@@ -87,7 +90,7 @@ class QuestionsRequest(Frozen):
 class SegmentRequest(Frozen):
     """Which parts of a model does a phrase mean?"""
 
-    description: str = Field(min_length=1, max_length=500, description="Such as 'counterbored hole'.")
+    description: str = Field(min_length=1, max_length=DESCRIPTION_CHARS, description="Such as 'counterbored hole'.")
     sides: tuple[Side, ...] | None = Field(
         None, min_length=1, max_length=6, description="Only parts that are visible from one of these; null: all."
     )

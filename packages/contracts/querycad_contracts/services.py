@@ -240,12 +240,16 @@ class ViewName(StrEnum):
     BACK = "back"
 
 
+PIXELS = (64, 2048)
+"""Of the smallest and the largest picture, each way."""
+
+
 class ViewTask(ModelTask):
     """Draw the model as it is seen from there, without marks."""
 
     view: ViewName
-    width: int = Field(ge=64, le=2048)
-    height: int = Field(ge=64, le=2048)
+    width: int = Field(ge=PIXELS[0], le=PIXELS[1])
+    height: int = Field(ge=PIXELS[0], le=PIXELS[1])
 
 
 class QuestionRequest(AnswerOptions):
@@ -345,7 +349,7 @@ class ProgramRequest(Frozen):
     """A caller's own program of the guest API, to be run against a model."""
 
     code: str = Field(
-        min_length=1, max_length=65536, description="Python, as docs/guest-api.md has it; assigns `solution`."
+        description="Python, as docs/guest-api.md has it; assigns `solution`. More than 65,536 bytes are refused."
     )
     expects: AnswerType | None = Field(None, description="Then an absent measure in the result is the run's failure.")
     grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence words are turned into parts.")

@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from querycad_segworker.errors import FileProblem
 
     from .client import AsyncClient, Client, ClientError, ServerProblem, ServerUnreachable
-    from .model import Model, NoValue, Parts, Picture, Reply, UnitName
+    from .measuring import NoValue
+    from .model import Model, Parts, Picture, Reply, UnitName
     from .runtime import EmbeddedRuntime
     from .served import AsyncModel
 
@@ -46,9 +47,10 @@ __all__ = [
 _MODULES: Final = {
     **dict.fromkeys(("AsyncClient", "Client"), ".client"),
     **dict.fromkeys(("ClientError", "ServerProblem", "ServerUnreachable"), ".client"),
-    **dict.fromkeys(("Model", "NoValue", "Parts", "Picture", "Reply"), ".model"),
+    **dict.fromkeys(("Model", "Parts", "Picture", "Reply"), ".model"),
     "AsyncModel": ".served",
     "EmbeddedRuntime": ".runtime",
+    "NoValue": ".measuring",
     "FileProblem": "querycad_segworker.errors",
 }
 

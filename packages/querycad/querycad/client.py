@@ -8,7 +8,7 @@ import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Concatenate, ParamSpec, Self, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Concatenate, ParamSpec, Self, TypeVar, cast
 
 import httpx
 from httpx_sse import EventSource
@@ -40,6 +40,7 @@ from querycad_contracts import (
 
 from . import flows
 from .flows import ClientError, Flow, Following, Pause, Progress, ServerProblem, ServerUnreachable
+from .inputs import Parameters, request_fields
 
 if TYPE_CHECKING:
     from .model import Model, UnitName
@@ -86,7 +87,8 @@ class Client:
     def open(self, file: Path | str, *, unit: UnitName = LengthUnit.MM, timeout_s: float = 300.0) -> Model:
         """The model in a file of this machine, or the one with this id, as the service holds it.
 
-        `unit`: of lengths in texts. Raises OSError and FileProblem for a file that cannot be read, TimeoutError.
+        `unit`: of lengths in texts. Raises FileProblem for a file that cannot be read, as `querycad.open` does, and
+        TimeoutError.
         """
         from .model import Model  # here: who only sends questions needs no grammar
         from .served import Served
@@ -143,9 +145,13 @@ class Client:
         """What comes of a program of the guest API, run against the model? However it ended, that is the outcome."""
         return self._run(flows.run(model, ProgramRequest(code=code, expects=expects)))
 
-    def parameters(self, model: str, asked: ParametersRequest) -> ParameterSet:
-        """What are these named, typed parameters of the model? What is not sure has a reason in a value's place."""
-        return self._run(flows.parameters(model, asked))
+    def parameters(self, /, model: str, asked: Parameters, **options: Any) -> ParameterSet:
+        """What are these named, typed parameters of the model? What is not sure has a reason in a value's place.
+
+        `asked`: a request, its fields, or its parameters alone; `options`: further fields (docs/parameters.md).
+        """
+        request = ParametersRequest.model_validate({**request_fields(asked), **options})
+        return self._run(flows.parameters(model, request))
 
     def view(self, model: str, view: ViewName = ViewName.ISOMETRIC, width: int = 800, height: int = 600) -> bytes:
         """The PNG file that shows the model from there."""
@@ -305,7 +311,8 @@ class AsyncClient:
     async def open(self, file: Path | str, *, unit: UnitName = LengthUnit.MM, timeout_s: float = 300.0) -> AsyncModel:
         """The model in a file of this machine, or the one with this id, as the service holds it.
 
-        `unit`: of lengths in texts. Raises OSError and FileProblem for a file that cannot be read, TimeoutError.
+        `unit`: of lengths in texts. Raises FileProblem for a file that cannot be read, as `querycad.open` does, and
+        TimeoutError.
         """
         from .model import Model  # here: as above
         from .served import AsyncModel, Served

@@ -50,7 +50,8 @@ from querycad_contracts import (
     TableKind,
     ViewName,
 )
-from querycad_segworker.errors import FileProblem
+from querycad_segworker.errors import FileProblem, NotStep
+from querycad_segworker.files.sniff import must_be_file
 
 WAIT_S = 30
 """How long the service is asked to wait in one request; longer waits are several requests."""
@@ -65,6 +66,9 @@ PROGRAM_S = 150.0
 """Longer than a service lets a program run, or looks for parameters."""
 GATEWAY = (502, 503, 504)
 """What a proxy answers whose service is away."""
+
+REFUSED_FILES = ("urn:querycad:problem:not-step-file", "urn:querycad:problem:file-too-large")
+"""Types of the problems that are the file's, not the request's."""
 
 _ID = re.compile(r"[0-9a-f]{64}")
 
@@ -146,11 +150,12 @@ def upload(path: Path, wait_s: float, progress: Progress | None) -> Flow[ModelRe
 
 
 def opened(file: str, timeout_s: float) -> Flow[ModelResource]:
-    """The model in the file, or with the id, once it has been read."""
-    if _ID.fullmatch(file):
-        found = yield from model(file, timeout_s)
-    else:
-        found = yield from upload(Path(file), timeout_s, None)
+    """The model in the file, or with the id, once it has been read.
+
+    What is wrong with the file is told as where it is read here, whether it is seen before it is sent, by the service
+    as it comes, or in reading it. Raises FileProblem and TimeoutError.
+    """
+    found = yield from model(file, timeout_s) if _ID.fullmatch(file) else _taken(Path(file), timeout_s)
     if found.status is ModelStatus.READING:
         raise TimeoutError(f"the service did not read the file within {timeout_s:g} s")
     if found.failure is not None:
@@ -158,6 +163,19 @@ def opened(file: str, timeout_s: float) -> Flow[ModelResource]:
         problem.retryable = found.failure.retryable
         raise problem
     return found
+
+
+def _taken(path: Path, timeout_s: float) -> Flow[ModelResource]:
+    """As `upload`. Raises FileProblem for what is no file, cannot be opened or is refused as a file."""
+    try:
+        must_be_file(path.resolve())
+        return (yield from upload(path, timeout_s, None))
+    except OSError as error:
+        raise NotStep(f"{path} cannot be read: {error.strerror}") from error
+    except ServerProblem as refusal:
+        if refusal.problem.type not in REFUSED_FILES:
+            raise
+        raise FileProblem(str(refusal)) from refusal
 
 
 def model(model_id: str, wait_s: float) -> Flow[ModelResource]:

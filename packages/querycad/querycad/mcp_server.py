@@ -46,7 +46,8 @@ from querycad_contracts.guest_reference import guest_api_prompt
 from querycad_segworker.errors import FileProblem
 
 from .mcp_outputs import Answered, FoundParts, Group, Measured, Opened, Ran, TablePage
-from .model import Model, NoValue, Reply
+from .measuring import NoValue
+from .model import Model, Reply
 from .runtime import EmbeddedRuntime
 
 T = TypeVar("T")

@@ -7,18 +7,16 @@ Values are SI: metres, square and cubic metres, radians. Points and directions a
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, Protocol, Self, TypeAlias
 
 from pydantic import PrivateAttr
 
-from querycad_answering.answering import NO_OPTIONS
+from querycad_answering.answering import NO_OPTIONS, no_question
 from querycad_answering.drawing.callouts import callouts
 from querycad_answering.drawing.comparing import compare
-from querycad_answering.programs import Grounds, Unwritable, Written, write
 from querycad_answering.typed import WrongAnswerType, typed_answer
 from querycad_contracts import (
     Answer,
@@ -33,14 +31,11 @@ from querycad_contracts import (
     LengthUnit,
     Measure,
     ModelSummary,
-    ParameterRequest,
     ParameterSet,
     ParametersRequest,
     Part,
     PartKind,
-    PartQuery,
     RunOutcome,
-    RunStatus,
     Selection,
     Shape,
     Side,
@@ -50,8 +45,12 @@ from querycad_contracts import (
     Unit,
     ViewName,
 )
+from querycad_contracts.resources import DESCRIPTION_CHARS
+from querycad_contracts.services import PIXELS
 from querycad_language.forms import Get
-from querycad_language.measures import answer_type, of_several
+
+from .inputs import Parameters, listed, named, request_fields
+from .measuring import NoValue, measuring, value_of
 
 SIZE = (800, 600)
 """Width and height of a picture of the model, pixels."""
@@ -62,10 +61,6 @@ OnePart: TypeAlias = Part | str
 """A part, or its id such as 'hole-4'."""
 UnitName: TypeAlias = LengthUnit | Literal["mm", "cm", "m", "in"]
 SideName: TypeAlias = Side | Literal["top", "bottom", "left", "right", "front", "back"]
-
-
-class NoValue(ValueError):
-    """A part has no such measure, or a measurement could not be made; `str()` says why."""
 
 
 class Picture(bytes):
@@ -221,11 +216,14 @@ class Model:
 
     def __init__(self, source: Source, unit: UnitName = LengthUnit.MM) -> None:
         self._source = source
-        self.unit = LengthUnit(unit)
+        self.unit = named(LengthUnit, unit, "unit")
 
     def __repr__(self) -> str:
         x, y, z = (each / self.unit.metres for each in self.shape.extents)
         return f"<querycad.Model {self.name!r}: {x:.6g} x {y:.6g} x {z:.6g} {self.unit}, {len(self.parts)} parts>"
+
+    def _unit(self, unit: UnitName | None) -> LengthUnit:
+        return named(LengthUnit, unit or self.unit, "unit")
 
     @property
     def id(self) -> str:
@@ -277,7 +275,7 @@ class Model:
         expect: Expectation | AnswerType | str | None = None,
         least_confidence: float | None = None,
         context: Sequence[str] = (),
-        select: Sequence[OnePart | int] = (),
+        select: OnePart | int | Sequence[OnePart | int] = (),
         grounding: GroundedBy | Literal["geometry", "vision", "fused", "eyes"] | None = None,
         options: AnswerOptions = NO_OPTIONS,
     ) -> Reply:
@@ -288,14 +286,20 @@ class Model:
         `select`: parts, their ids, or numbers of faces: what 'it' and 'this' are. `grounding`: what finds parts.
         `options`: the rest, such as who writes the program; what is given beside it goes first.
 
-        Never raises for what is wrong with the question: the reply's `failure` says it.
+        Never raises for what is wrong with the question: the reply's `failure` says it. Raises ValueError for an
+        option that is none, such as a unit that does not exist.
         """
-        chosen = [each.id if isinstance(each, Part) else each for each in select]
+        if (none := no_question(question)) is not None:
+            return Reply.of(none, bytes)
+        given_parts = (select,) if isinstance(select, Part | str | int) else select
+        chosen = [each.id if isinstance(each, Part) else each for each in given_parts]
         given = {
-            "expect": expect if isinstance(expect, Expectation | None) else Expectation(type=AnswerType(expect)),
+            "expect": expect
+            if isinstance(expect, Expectation | None)
+            else Expectation(type=named(AnswerType, expect, "type of answer")),
             "least_confidence": least_confidence,
-            "context": tuple(context) or None,
-            "grounding": None if grounding is None else GroundedBy(grounding),
+            "context": listed(context) or None,
+            "grounding": None if grounding is None else named(GroundedBy, grounding, "grounding"),
             "selection": Selection(
                 parts=tuple(each for each in chosen if isinstance(each, str)),
                 faces=tuple(each for each in chosen if isinstance(each, int)),
@@ -305,17 +309,22 @@ class Model:
         }
         said = options.model_dump(exclude_unset=True) | {name: each for name, each in given.items() if each is not None}
         options = AnswerOptions.model_validate(said)
-        return Reply.of(*self._source.ask(question, LengthUnit(unit or self.unit), options))
+        return Reply.of(*self._source.ask(question, self._unit(unit), options))
 
     def find_parts(
         self,
         description: str,
-        sides: Sequence[SideName] | None = None,
+        sides: SideName | Sequence[SideName] | None = None,
         grounding: GroundedBy | Literal["geometry", "vision", "fused", "eyes"] = GroundedBy.GEOMETRY,
     ) -> Parts:
-        """Which parts does a phrase mean, such as 'blind holes', of those visible from any of `sides`?"""
-        seen_from = None if sides is None else tuple(Side(side) for side in sides)
-        return Parts.of(self._source.find_parts(description, seen_from, GroundedBy(grounding)))
+        """Which parts does a phrase mean, such as 'blind holes', of those visible from any of `sides`?
+
+        Raises ValueError for an empty phrase, and for one of more than 500 characters.
+        """
+        if not 0 < len(description.strip()) <= len(description) <= DESCRIPTION_CHARS:
+            raise ValueError(f"a phrase for parts has 1 to {DESCRIPTION_CHARS} characters")
+        seen_from = None if sides is None else tuple(named(Side, side, "side") for side in listed(sides))
+        return Parts.of(self._source.find_parts(description, seen_from, named(GroundedBy, grounding, "grounding")))
 
     def measure(
         self,
@@ -329,17 +338,18 @@ class Model:
 
         The measures are those of docs/measures.md: what is meant of a part of that kind is said there. The value is SI,
         in a list where several parts are given. Masses and moments of inertia take a `density`, kg/m3. Raises NoValue
-        where a part has no such measure, KeyError and ValueError for an id or a measure that does not exist.
+        where a part has no such measure, KeyError and ValueError for an id or a measure that does not exist, ValueError
+        for a density that is not above 0.
         """
-        wanted = Measure(measure)
+        wanted = named(Measure, measure, "measure")
         one = of is None or isinstance(of, Part | str)
         parts = () if of is None else (self.part(of),) if isinstance(of, Part | str) else tuple(map(self.part, of))
-        code, kind = _measuring(Get((wanted,), None, density=density), parts, self._whole, several=not one)
-        value = _value(self.run(code), self.name)
+        code, kind = measuring(Get((wanted,), None, density=density), parts, self._whole, several=not one)
+        value = value_of(self.run(code), self.name)
         if value in ([], None) or (isinstance(value, list) and all(each is None for each in value)):
             raise NoValue(f"the file gives no {wanted.value.replace('_', ' ')} of it")
         try:
-            return typed_answer(value, kind, LengthUnit(unit or self.unit), code)
+            return typed_answer(value, kind, self._unit(unit), code)
         except WrongAnswerType as error:
             raise NoValue(str(error)) from error
 
@@ -353,8 +363,10 @@ class Model:
 
         Between their surfaces, exactly, and 0 where they touch; or between their centres, of holes between their axes.
         """
-        method = {"surfaces": "distance_to", "centers": "center_distance"}[between]
-        return float(self._of_two(method, a, b))
+        methods = {"surfaces": "distance_to", "centers": "center_distance"}
+        if between not in methods:
+            raise ValueError(f"a distance is between surfaces or centers, not {between!r}")
+        return float(self._of_two(methods[between], a, b))
 
     def angle(self, a: OnePart, b: OnePart) -> float:
         """Which angle do the axes or normals of two parts make? Radians, 0 to pi/2."""
@@ -362,7 +374,7 @@ class Model:
 
     def _of_two(self, method: str, a: OnePart, b: OnePart) -> Any:
         first, second = ({"ids": [self.part(each).id]} for each in (a, b))
-        return _value(self.run(f"solution = find_parts({first})[0].{method}(find_parts({second})[0])"), self.name)
+        return value_of(self.run(f"solution = find_parts({first})[0].{method}(find_parts({second})[0])"), self.name)
 
     @property
     def _whole(self) -> Part:
@@ -370,99 +382,52 @@ class Model:
 
     def describe(self, unit: UnitName | None = None) -> Description:
         """What is the model, and what can be asked about it? `text` has all of it for a person."""
-        return self._source.describe(LengthUnit(unit or self.unit))
+        return self._source.describe(self._unit(unit))
 
     def table(self, kind: TableKind | str, grouped: bool | None = None, unit: UnitName | None = None) -> Table:
         """The holes, slots, bosses, edges, bends, patterns, fasteners or bodies, a row each; numbers are SI.
 
         `grouped`: a row for all that are alike; None: so for fasteners and bodies. `unit`: of lengths in texts.
         """
-        return self._source.table(TableKind(kind), grouped, LengthUnit(unit or self.unit))
+        return self._source.table(named(TableKind, kind, "table"), grouped, self._unit(unit))
 
-    def parameters(
-        self, asked: Sequence[ParameterRequest | Mapping[str, Any]], /, other: Model | None = None, **options: Any
-    ) -> ParameterSet:
+    def parameters(self, asked: Parameters, /, other: Model | None = None, **options: Any) -> ParameterSet:
         """What are these named, typed parameters (docs/parameters.md)? What is not sure has a reason, and no value.
 
-        `other`: a model whose holes and shafts are mated with this one's. `options`: what else a request has, such as
-        `frame` or `least_confidence`; lengths are in `unit`, else in the model's. Raises pydantic.ValidationError.
+        `asked`: a request, its fields, or its parameters alone. `other`: a model whose holes and shafts are mated with
+        this one's. `options`: what else a request has, such as `frame` or `least_confidence`; lengths are in `unit`,
+        else in the model's. Raises pydantic.ValidationError.
         """
-        said = {"unit": self.unit, "parameters": asked, "other": other.id if other is not None else None, **options}
+        said = {"unit": self.unit, **request_fields(asked), **({} if other is None else {"other": other.id}), **options}
         others = None if other is None else lambda: other.parts
         return self._source.parameters(ParametersRequest.model_validate(said), others)
 
     def compare(self, after: Model, unit: UnitName | None = None) -> Comparison:
         """What is different in another model, part by part? `text` has all of it for a person."""
         sides = (self.summary, self.parts), (after.summary, after.parts)
-        return compare(*sides, LengthUnit(unit or self.unit))
+        return compare(*sides, self._unit(unit))
 
     def run(self, code: str, expects: AnswerType | str | None = None) -> RunOutcome:
         """What comes of a program of the guest API (docs/guest-api.md)? It runs in the sandbox; all it sees is SI.
 
         However it ended, that is the outcome: `status`, `value`, `message`.
         """
-        return self._source.run(code, None if expects is None else AnswerType(expects))
+        return self._source.run(code, None if expects is None else named(AnswerType, expects, "type of answer"))
 
     def picture(
         self, view: ViewName | str = ViewName.ISOMETRIC, width: int = SIZE[0], height: int = SIZE[1]
     ) -> Picture:
-        """How does it look from 'isometric', 'top', 'bottom', 'left', 'right', 'front' or 'back'? Sizes in pixels."""
-        return Picture(self._source.view(ViewName(view), width, height))
+        """How does it look from 'isometric', 'top', 'bottom', 'left', 'right', 'front' or 'back'?
+
+        `width` and `height`: 64 to 2048 pixels. Raises ValueError.
+        """
+        least, most = PIXELS
+        if not (least <= width <= most and least <= height <= most):
+            raise ValueError(f"a picture has {least} to {most} pixels each way, not {width} x {height}")
+        return Picture(self._source.view(named(ViewName, view, "view"), width, height))
 
     def _repr_html_(self) -> str:
         return f"{_image(self.picture())}<pre>{html.escape(self.describe().text)}</pre>"
-
-
-def _measuring(get: Get, parts: Sequence[Part], whole: Part, *, several: bool) -> tuple[str, AnswerType]:
-    """The program that measures, and the type of its value. Raises NoValue where it makes no sense of these parts."""
-    (measure,) = get.measures
-    if measure in (Measure.FACE_COUNT, Measure.EDGE_COUNT):
-        if parts and (several or parts[0].kind is not PartKind.MODEL):
-            raise NoValue("faces and edges are counted of the whole model; a part's `faces` are listed")
-        return f"solution = shape.{measure.value}", AnswerType.COUNT
-    if measure in (Measure.MASS, Measure.INERTIA) and get.density is None:
-        raise NoValue(f"a file holds no density: give one in kg/m3 for the {measure.value}, such as density=7850")
-    scalar = answer_type(measure)
-    queries = [PartQuery(ids=(part.id,)) for part in parts]
-    programs = [
-        _written(replace(get, target=query), {query: ((part,), 0)}, whole)
-        for query, part in zip(queries, parts, strict=True)
-    ]
-    if not several:
-        (written,) = programs or [_written(get, {}, whole)]
-        return written.code, scalar if written.expects is of_several(written.expects) else written.expects
-    lines = ["of_each = []"]
-    for written in programs:
-        one = "of_each += solution if isinstance(solution, list) and len(solution) == 1 else [solution]"
-        lines += [written.code, one]
-    return "\n".join([*lines, "solution = of_each"]), of_several(scalar)
-
-
-def _written(get: Get, grounds: Grounds, whole: Part) -> Written:
-    """The program, where the measure is one that a part of this kind has.
-
-    Its own, or derived where no part has it as its own. What a question may stretch, such as the width across flats of
-    what has no flats, is refused: here nobody weighs what is meant.
-    """
-    ((parts, _),) = grounds.values() or (((whole,), 0),)
-    measure, part = get.measures[0], parts[0]
-    own = getattr(part, measure.value.replace("centre", "center"), "derived") is not None
-    try:
-        written = write(get, grounds, whole)
-    except Unwritable:
-        written = None
-    if written is None or any(read.grade != "own" and not (own and read.grade == "derived") for read in written.reads):
-        raise NoValue(f"{measure.value.replace('_', ' ')} is not a measure of {part.id}, a {part.kind}")
-    return written
-
-
-def _value(outcome: RunOutcome, model: str) -> Any:
-    missing = outcome.missing_attribute
-    if missing is not None:
-        raise NoValue(f"{missing.part or model} has no {missing.attribute}")
-    if outcome.status is not RunStatus.OK:
-        raise NoValue(outcome.message)
-    return outcome.value
 
 
 def _image(picture: Picture) -> str:

@@ -99,7 +99,7 @@ def test_what_could_not_be_run_says_why(
     assert title in answer.json()["detail"]
 
 
-@pytest.mark.parametrize("body", [{}, {"code": ""}, {"code": "x" * 70000}, {"code": CODE, "limits": {}}])
+@pytest.mark.parametrize("body", [{}, {"code": 3}, {"code": CODE, "limits": {}}])
 def test_a_request_that_is_none_is_told_so_and_not_sent(
     client: httpx.Client, model: str, sandbox: Sandbox, body: dict[str, Any]
 ) -> None:

@@ -117,7 +117,7 @@ def _ask_each(open_model: OpenModel, options: argparse.Namespace, questions: lis
         if options.json:
             print(reply.model_dump_json(), flush=True)
         else:
-            _print_record(reply, options, model.parts)
+            _print_record(reply, options, model.parts if reply.parts else ())
         if options.picture and reply.answer is not None:
             worst = max(worst, _draw(reply, options, _picture_path(options.picture, number, len(questions))))
     return worst

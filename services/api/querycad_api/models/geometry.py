@@ -37,6 +37,7 @@ from querycad_contracts import (
     ViewName,
     ViewTask,
 )
+from querycad_contracts.services import PIXELS
 
 from .drawings import DRAW_S, GLB, PNG, drawn
 from .service import called
@@ -153,8 +154,8 @@ async def get_view(
     view: ViewName,
     services: ServicesDep,
     request: Request,
-    width: Annotated[int, Query(ge=64, le=2048, description="Pixels.")] = 800,
-    height: Annotated[int, Query(ge=64, le=2048, description="Pixels.")] = 600,
+    width: Annotated[int, Query(ge=PIXELS[0], le=PIXELS[1], description="Pixels.")] = 800,
+    height: Annotated[int, Query(ge=PIXELS[0], le=PIXELS[1], description="Pixels.")] = 600,
 ) -> Response:
     """How does the model look from there? Orthographic; a side's camera stands one degree off its axis."""
     await services.ready_model(model_id)

@@ -13,7 +13,7 @@ from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 
 from querycad_api.problems import FileTooLarge, NotStepFile
-from querycad_contracts import HEAD_BYTES, file_kind
+from querycad_contracts import HEAD_BYTES, file_kind, no_kind
 
 CHUNK_BYTES = 2**20
 NAME_CHARS = 120
@@ -25,7 +25,7 @@ def check_head(head: bytes) -> None:
     if not head:
         raise NotStepFile("the file is empty")
     if file_kind(head) is None:
-        raise NotStepFile("not a STEP file: it does not begin with ISO-10303-21; nor IGES, BREP, a mesh or an archive")
+        raise NotStepFile(no_kind(head))
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import re
 import zipfile
 from pathlib import Path
 
-from querycad_contracts import HEAD_BYTES, FileKind, file_kind, is_3mf
+from querycad_contracts import HEAD_BYTES, FileKind, file_kind, is_3mf, no_kind
 from querycad_segworker.errors import FileTooLarge, IncompleteFile, NoLengthUnit, NotStep
 
 from .archives import opened
@@ -56,16 +56,21 @@ def kind_of(path: Path) -> FileKind | None:
         return None
 
 
+def must_be_file(path: Path) -> None:
+    """Raises NotStep where no file is at the path, OSError where that cannot be seen."""
+    if not path.exists():
+        raise NotStep(f"no such file: {path}")
+    if not path.is_file():
+        raise NotStep(f"not a file: {path}")
+
+
 def check_step(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
     """Raises the FileProblem that says what is wrong with the file.
 
     Returns None when the file can be read as it is, or the cleaned text when something before the header (a byte
     order mark, blank lines) would keep the kernel from reading it.
     """
-    if not path.exists():
-        raise NotStep(f"no such file: {path}")
-    if not path.is_file():
-        raise NotStep(f"not a file: {path}")
+    must_be_file(path)
     size = path.stat().st_size
     if size == 0:
         raise IncompleteFile("the file is empty")
@@ -145,17 +150,4 @@ def _start(data: bytes) -> int:
     start = blank.end() if blank else 0
     if data.startswith(_MAGIC, start):
         return start
-    raise NotStep(f"not a STEP file: {_looks_like(data)}")
-
-
-def _looks_like(data: bytes) -> str:
-    head = data[:512].lstrip(_BOM).lstrip()
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return "it is encoded as UTF-16; save it as plain text first"
-    if head[:1] == b"<":
-        return "it is an HTML or XML document"
-    if head.startswith(b"solid"):
-        return "it begins like an STL file, and holds no facet"
-    if b"\x00" in data[:4096]:
-        return "it holds binary data"
-    return "it does not begin with ISO-10303-21"
+    raise NotStep(no_kind(data[:HEAD_BYTES]))
