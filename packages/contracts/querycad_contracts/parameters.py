@@ -152,17 +152,20 @@ class ParametersTask(ModelTask):
 
 
 class Pose(Frozen):
-    """Place and orientation of a frame, in the coordinates asked for."""
+    """Place and orientation of a frame, in the unit and coordinates asked for."""
 
-    position: Triple
+    position: Triple = Field(
+        description="Half-way between the part's ends, on its axis: within a hole, not at its mouth; or the place "
+        "that the question asks for."
+    )
     quaternion: Row = Field(description="x, y, z, w.")
     matrix: Matrix
 
 
 class Axis(Frozen):
-    """A point and a way from it, in the coordinates asked for."""
+    """A point and a way from it, in the unit and coordinates asked for."""
 
-    point: Triple
+    point: Triple = Field(description="An end of the part: the mouth of a hole, the free end of a shaft.")
     direction: Triple = Field(description="Of length 1.")
 
 
