@@ -19,6 +19,10 @@ import anyio
 import pytest
 from mcp import Client, MCPError, StdioServerParameters, stdio_client
 
+from querycad import EmbeddedRuntime
+from querycad.mcp_server import _answered
+from querycad_contracts import LengthUnit
+
 ROOT = Path(__file__).parents[2]
 COMMAND = ["-m", "querycad.cli", "mcp"]
 START_S = 30.0
@@ -210,11 +214,23 @@ def test_what_cannot_be_done_says_what_to_do(transport: Transport, home: Path) -
             assert "answer-99" in await agent.refused("look", model=model, answer="answer-99")
             none = await agent.call("find_parts", model=model, description="banana")
             assert (none["count"], "hole" in none["next"]) == (0, True)
+            assert "1 to 500" in await agent.refused("find_parts", model=model, description=" ")
             assert "it has" in (await agent.call("table", model=model, kind="bends"))["next"]
             with pytest.raises(MCPError, match="open_model"):
                 await agent.read("querycad://models/flange")
 
     anyio.run(err)
+
+
+def test_an_answer_that_is_not_sure_says_what_to_check(runtime: EmbeddedRuntime) -> None:
+    model = runtime.open(ROOT / "examples/flange.step")
+    reply = model.ask("How many holes are there?")
+
+    def following(confidence: float) -> str:
+        return _answered("answer-1", reply.model_copy(update={"confidence": confidence}), model, LengthUnit.MM).next
+
+    assert "understood_as" in following(0.6)
+    assert following(0.9) == ""
 
 
 @TRANSPORTS

@@ -29,12 +29,12 @@ class Answered(Frozen):
     """The answer to a question."""
 
     answer: str = Field(description="Id of this answer: look(answer=…) shows what it rests on.")
-    status: Status
+    status: Status = Field(description="'answered': confidence is 0.45 or more; 'unsure': less, it may well be wrong.")
     text: str
     value: Any = Field(None, description="SI; null where there is no answer.")
     type: str = ""
     unit: str = Field("", description="SI unit of the value.")
-    confidence: float | None = Field(None, description="Probability that the value is right.")
+    confidence: float | None = Field(None, description="Probability that the value is right; sure is 0.8 or more.")
     understood_as: str = ""
     parts: tuple[Group, ...] = Field((), description="What the answer rests on.")
     notes: tuple[str, ...] = ()

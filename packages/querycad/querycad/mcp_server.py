@@ -30,6 +30,7 @@ from mcp_types import (
 )
 from pydantic import Field, ValidationError
 
+from querycad_answering.answering import SURE
 from querycad_answering.drawing.callouts import callouts, ids_text
 from querycad_answering.drawing.writing import written
 from querycad_contracts import (
@@ -67,9 +68,12 @@ READS = ToolAnnotations(read_only_hint=True, open_world_hint=False, idempotent_h
 INSTRUCTIONS = """\
 QueryCAD reads CAD models and answers questions about them from exact geometry. Begin with open_model; the id that it
 returns names the model in all other tools. Ask one thing at a time: 'What is the diameter of the largest hole?' Look at
-status: 'answered' is sure, 'unsure' has other readings in alternatives, otherwise next says what to do. Values are SI
-(metres, m2, m3, radians) in the frame of the file, z up; texts have the unit that you name. For what no
-question says, measure parts by their ids, or run_program a short Python program (resource querycad://guest-api)."""
+confidence, the probability that the value is right, whatever the status: rely on 0.8 or more; below that compare
+understood_as and parts with what was asked, or measure the parts by their ids. Status 'answered' only says that it is
+0.45 or more; 'unsure' that it is less: the value may well be wrong, alternatives has other readings, and a person may
+have to choose. Without a value, next says what to do. Values are SI (metres, m2, m3, radians) in the frame of the file,
+z up; texts have the unit that you name. For what no question says, measure parts by their ids, or run_program a short
+Python program (resource querycad://guest-api)."""
 
 ModelArg = Annotated[str, Field(description="The model's id, from open_model.")]
 UnitArg = Annotated[LengthUnit, Field(description="Unit of lengths in texts; values stay SI.")]
@@ -95,7 +99,7 @@ class Session:
             with self._lock:
                 try:
                     return tool(*arguments, **named)
-                except (FileProblem, NoValue) as problem:
+                except (FileProblem, ValueError) as problem:
                     raise ToolError(str(problem)) from problem
 
         return guard
@@ -414,7 +418,9 @@ def _add_resources(made: MCPServer, session: Session) -> None:
 
 def _answered(name: str, reply: Reply, model: Model, unit: LengthUnit) -> Answered:
     following = ""
-    if reply.status is Status.UNSURE:
+    if reply.status is Status.ANSWERED and reply.confidence is not None and reply.confidence < SURE:
+        following = "not sure: see whether understood_as and parts are what is meant; or measure the parts by their ids"
+    elif reply.status is Status.UNSURE:
         following = "if another reading is meant, ask with its words; or measure the parts by their ids"
     elif reply.failure is not None:
         following = {
