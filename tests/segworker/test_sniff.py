@@ -43,6 +43,7 @@ BAD: dict[str, tuple[bytes, type[FileProblem], str]] = {
     "empty DATA": (f"{HEADER}DATA;\n{END}".encode(), IncompleteFile, "DATA section is empty"),
     "cut short": (f"{HEADER}DATA;\n{UNIT}{FACE}".encode(), IncompleteFile, "cut short"),
     "no faces": (f"{HEADER}DATA;\n{UNIT}{END}".encode(), IncompleteFile, "no surface or face"),
+    "two files": (f"{GOOD}\n{GOOD}".encode(), NotStep, "one after the other"),
     "no unit": (f"{HEADER}DATA;\n{FACE}{END}".encode(), NoLengthUnit, "no length unit"),
 }
 
@@ -55,6 +56,21 @@ def test_a_bad_file_is_refused_with_a_sentence_of_its_own(
         checked(tmp_path, content)
     assert type(problem.value) is kind
     assert "\n" not in str(problem.value)
+
+
+@pytest.mark.parametrize(
+    "second", [GOOD, f"\n\n{GOOD}", f"\ufeff{GOOD}", "ISO-10303-21;\nHEADER;"], ids=["at once", "lines", "mark", "cut"]
+)
+def test_a_file_behind_the_first_one_is_not_passed_over(tmp_path: Path, second: str) -> None:
+    with pytest.raises(NotStep, match="several STEP files"):
+        checked(tmp_path, (GOOD + second).encode())
+
+
+@pytest.mark.parametrize("behind", ["\r\n\x1a", "\n/* END-ISO-10303-21; */\n", "\nSIGNATURE;\nMIAG\nENDSEC;\n"])
+def test_what_else_stands_behind_the_end_mark_is_no_second_file(tmp_path: Path, behind: str) -> None:
+    assert checked(tmp_path, (GOOD + behind).encode()) is None
+    named = GOOD.replace("HEADER;", "HEADER;\n/* made of ISO-10303-21; and END-ISO-10303-21; texts */", 1)
+    assert checked(tmp_path, named.encode()) is None
 
 
 def test_no_two_kinds_of_bad_file_share_a_sentence(tmp_path: Path) -> None:

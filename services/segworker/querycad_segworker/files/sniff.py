@@ -14,10 +14,10 @@ from .archives import opened
 MAX_FILE_BYTES = 512 * 2**20
 """The largest file accepted: single parts have kilobytes to a few megabytes, large assemblies some hundred."""
 
-_BOM = b"\xef\xbb\xbf"
 _MAGIC = b"ISO-10303-21"
 # A repetition in a pattern has an upper limit: with none, text that almost fits is searched again from each start.
-_BLANK = re.compile(rb"\s*")
+_BLANK = re.compile(rb"\s*(?:\xef\xbb\xbf\s*)?")
+_END = re.compile(rb"END-ISO-10303-21\s{0,80};")
 _DATA = re.compile(rb"\bDATA\s{0,80}[(;]")
 _ENTITY = re.compile(rb"#\s{0,80}\d{1,20}\s{0,80}=")
 _LENGTH_UNITS = (b"LENGTH_UNIT", b"LENGTH_MEASURE_WITH_UNIT", b".METRE.")
@@ -83,6 +83,8 @@ def check_step(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
     start = _start(data)
     if b"\x00" in data[start : start + 4096]:
         raise NotStep("not a STEP file: it holds binary data after the header")
+    if _holds_another(data, start):
+        raise NotStep("several STEP files stand one after the other in this file; save each as a file of its own")
     end = data.rfind(b"END-ISO-10303-21")
     if not _DATA.search(data, start):
         raise IncompleteFile("the file has no DATA section: it holds a header only")
@@ -144,10 +146,23 @@ def missing_entities(path: Path) -> list[int]:
     return sorted({int(number) for number in re.findall(rb"#(\d{1,18})(?!\d)", data)} - held)
 
 
+def _holds_another(data: bytes, start: int) -> bool:
+    """Does another STEP file begin behind an end mark? The kernel reads the first alone, and says nothing.
+
+    An exchange structure ends with that mark; only signatures may stand behind it (ISO 10303-21).
+    """
+    return any(data.startswith(_MAGIC, _text(data, mark.end())) for mark in _END.finditer(data, start))
+
+
+def _text(data: bytes, position: int) -> int:
+    """Where does text begin from there on, behind a byte order mark and blanks?"""
+    blank = _BLANK.match(data, position)
+    return blank.end() if blank else position
+
+
 def _start(data: bytes) -> int:
     """Where does the STEP text begin? Raises NotStep with what the file looks like instead."""
-    blank = _BLANK.match(data, len(_BOM) if data.startswith(_BOM) else 0)
-    start = blank.end() if blank else 0
+    start = _text(data, 0)
     if data.startswith(_MAGIC, start):
         return start
     raise NotStep(no_kind(data[:HEAD_BYTES]))
