@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from datetime import UTC, datetime
 from enum import StrEnum
+from typing import Any
 
 _REQUEST: ContextVar[str] = ContextVar("querycad_request", default="")
 _PLAIN = frozenset(logging.makeLogRecord({}).__dict__) | {"message", "asctime", "request", "taskName"}
@@ -54,6 +55,13 @@ def start_logging(service: str, form: LogFormat = LogFormat.TEXT) -> None:
         logging.getLogger(chatty).setLevel(logging.WARNING)
 
 
+def printable(text: str) -> str:
+    """The text in one line: what is not visible, such as a line end or an escape, is written as JSON has it."""
+    if text.isprintable():
+        return text
+    return "".join(each if each.isprintable() else json.dumps(each)[1:-1] for each in text)
+
+
 def _note_request(record: logging.LogRecord) -> bool:
     record.request = current_request()
     return True
@@ -83,7 +91,7 @@ class _Json(logging.Formatter):
         }
         if record.exc_info:
             line["error"] = self.formatException(record.exc_info)
-        return json.dumps(line, default=str, ensure_ascii=False)
+        return printable(json.dumps(line, default=str, ensure_ascii=False))
 
 
 class _Text(logging.Formatter):
@@ -92,11 +100,11 @@ class _Text(logging.Formatter):
     def __init__(self) -> None:
         super().__init__("%(asctime)s %(levelname)s %(request)s %(name)s: %(message)s")
 
-    def format(self, record: logging.LogRecord) -> str:
+    def formatMessage(self, record: logging.LogRecord) -> str:  # noqa: N802 - as the library calls it
         """The line; a traceback follows on lines of its own."""
-        given = " ".join(f"{name}={value}" for name, value in _given(record).items())
-        text = super().format(record)
-        if not given:
-            return text
-        first, *others = text.split("\n")
-        return "\n".join([f"{first} {given}", *others])
+        given = (f"{name}={value}" for name, value in _given(record).items())
+        return printable(" ".join([super().formatMessage(record), *given]))
+
+    def formatException(self, ei: Any) -> str:  # noqa: N802 - as above
+        """The traceback, line by line."""
+        return "\n".join(map(printable, super().formatException(ei).split("\n")))

@@ -153,3 +153,22 @@ def test_what_clients_invent_makes_no_series(client: httpx.Client) -> None:
     labels = [labels for name, labels in metrics(client) if name == "querycad_http_requests_total"]
     assert {dict(each)["route"] for each in labels} <= {"none", "/metrics"}
     assert {dict(each)["method"] for each in labels} <= {"any", "GET"}
+
+
+@pytest.mark.parametrize("form", LogFormat)
+def test_what_a_client_sends_neither_begins_a_line_of_the_log_nor_steers_a_terminal(
+    form: LogFormat, fresh_logging: None, capsys: pytest.CaptureFixture[str]
+) -> None:
+    start_logging("api", form)
+    path = "/v1/models/größe\n2026 INFO forged\r\x1b[31m\x7f\x85\u2028\u202e"
+    logging.getLogger("test").info("no file %s", path, extra={"path": path})
+    try:
+        raise ValueError(path)
+    except ValueError:
+        logging.getLogger("test").exception("failed")
+    lines = capsys.readouterr().err.removesuffix("\n").split("\n")
+    assert all(line.isprintable() for line in lines)
+    assert not any(line.startswith("2026 INFO forged") for line in lines[:2])
+    assert "größe\\n2026 INFO forged\\r\\u001b[31m" in lines[0]
+    if form is LogFormat.JSON:
+        assert [json.loads(line).get("path") for line in lines] == [path, None]
