@@ -126,6 +126,8 @@ def test_words_that_carry_meaning_are_never_skipped_without_a_word() -> None:
         ("What does it cost?", "price"),
         ("What material is it made of?", "material"),
         ("How heavy is it?", "density"),
+        ("What is its mass in cheese?", "stainless steel, steel, titanium"),
+        ("What is its mass at -5 kg/m3?", "density"),
         ("What does the plate weigh?", "density"),
         ("Which tolerance has the hole?", "tolerance"),
         ("What coating does it have?", "surface finish"),

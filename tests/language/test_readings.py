@@ -208,6 +208,18 @@ def test_a_named_material_stands_for_its_density() -> None:
     assert "7900 kg/m3" in describe(form)
 
 
+@pytest.mark.parametrize("said", ["a density of -5 kg/m3", "0 g/cm3", "density=-7850 kg/m3"])
+def test_what_is_not_above_0_is_no_density(said: str) -> None:
+    assert {form.density for form in forms(f"What is the mass at {said}?") if isinstance(form, Get)} == {None}
+
+
+@pytest.mark.parametrize("said", ["steel - 7850 kg/m3", "density: 7850 kg/m3", "7800-7850 kg/m3"])
+def test_a_dash_before_a_density_is_no_minus(said: str) -> None:
+    form = best(f"What is the mass, {said}?").form
+    assert isinstance(form, Get)
+    assert form.density == 7850.0
+
+
 def test_a_stated_density_is_kept_for_the_mass() -> None:
     form = best("How much does it weigh at 2.7 g/cm3?").form
     assert isinstance(form, Get)

@@ -20,6 +20,13 @@ def checker() -> Iterator[TypeChecker]:
     made.close()
 
 
+def test_the_nearest_attribute_is_told(checker: TypeChecker) -> None:
+    (problem,) = checker.problems('solution = find_parts("hole")[0].diametre')
+    assert problem == "line 1: Object of type `Part` has no attribute `diametre`, perhaps `diameter` is meant"
+    (problem,) = checker.problems('solution = find_parts("hole")[0].xyzzy')
+    assert problem.endswith("has no attribute `xyzzy`")
+
+
 @pytest.mark.parametrize(
     ("code", "problem"),
     [

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from querycad_contracts import Failure, FailureCategory, Measure, PartQuery
 from querycad_language.describe import none_such, noun_phrase, place_phrase
 from querycad_language.forms import Check, Get
+from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader
 from querycad_language.tokens import DENSITY, Kind
 
@@ -26,7 +27,8 @@ _WEIGHED = frozenset((Measure.MASS, Measure.INERTIA))
 _CANNOT_KNOW = {
     "price": "a STEP file holds no price",
     "tolerance": "a STEP file of this kind holds no tolerance and no surface finish: it is the nominal shape",
-    "density": "a STEP file holds no density: state one, such as 7850 kg/m3, or ask for the volume",
+    "density": "a STEP file holds no density: state one, such as 7850 kg/m3, or name one of "
+    f"{', '.join(sorted(lexicon().words('material')))}; or ask for the volume",
     "material": "a STEP file does not say which material the part is made of",
     "strength": "a STEP file holds no load and no strength",
     "author": "who designed the part, and with what, is not read from the file",
@@ -107,7 +109,7 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     if _HOW_MUCH.search(text.question) and not any(text.all(*_AMOUNTS)):
         message = f"{_CANNOT_KNOW['price']}; for an amount name its measure, such as the volume"
         return Failure(category=FailureCategory.NOT_GROUNDED, message=message)
-    if any(token.power == DENSITY for token in text.tokens):
+    if any(token.power == DENSITY and token.value > 0 for token in text.tokens):
         return None
     first = next(iter(asked.reader.readings), None)
     form = first.form if first is not None else None

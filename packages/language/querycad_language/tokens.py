@@ -28,6 +28,8 @@ _THREAD = (
     r"|\b(?:[12][ -])?\d{1,2}(?:/\d{1,2})?\"?(?:-\d{1,2})?\s?NPT\b|\bG\s?(?:(?:1[ -])?\d/\d{1,2}|[12])(?![\w/.-])"
     r"|(?:\b\d{1,2}/\d{1,2}\"?-\d{1,2}|(?<![\w#])#?(?:\d{1,2}-(?:24|28|32|36|40)|[0-5]-(?:44|48|56|64|72|80)))(?!\s?mm|\w)"
 )
+_MINUS = re.compile(r"(?<![^\s(=:])[-−–]\Z")
+"""Of a number that follows at once; a dash between numbers, or with blanks around it, is none."""
 _DENSITY = re.compile(r"\s?(k?g|(?:kilo)?grams?|kilos?)\s?(?:/|per)\s?((?:cubic\s)?[a-z]+(?:\^?3)?)(?!\w)", re.I)
 _TOKEN = re.compile(
     rf"(?P<thread>{_THREAD})"
@@ -212,7 +214,8 @@ def _number(text: str, rest: str, position: int) -> tuple[Token, int]:
     if per := _DENSITY.match(rest, position):
         volume, power = units.get({"l": "liter"}.get(per[2].lower(), per[2].lower()), (0.0, 0))
         if power == 3:
-            density = value * (1.0 if per[1][0] in "kK" else 1e-3) / volume
+            sign = -1.0 if _MINUS.search(rest, 0, position - len(text)) else 1.0
+            density = sign * value * (1.0 if per[1][0] in "kK" else 1e-3) / volume
             return Token("density", text + per[0], Kind.QUANTITY, float(f"{density:.12g}"), DENSITY), per.end()
     unit = _POWER_UNIT.match(rest, position) or _UNIT.match(rest, position)
     if unit and unit[1].lower() in units and not re.fullmatch(r"M[23]", unit[1]):

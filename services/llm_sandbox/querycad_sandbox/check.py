@@ -6,6 +6,7 @@ import ast
 import re
 import secrets
 from dataclasses import dataclass
+from difflib import get_close_matches
 from importlib.resources import files
 from queue import Empty, LifoQueue
 from threading import BoundedSemaphore
@@ -45,6 +46,10 @@ REFUSED_RULES: Final = frozenset(
 harms nothing, and the guest API checks its own arguments and says more clearly what it wanted."""
 
 _FUNCTIONS: Final = frozenset(function.name for function in guest_api().functions)
+_ATTRIBUTES: Final = {
+    each.name: [one.name for one in (*each.attributes, *each.methods)] for each in guest_api().classes
+}
+_NO_ATTRIBUTE: Final = re.compile(r"Object of type `(\w+)` has no attribute `(\w+)`")
 _DIAGNOSTIC: Final = re.compile(rf"^{re.escape(SCRIPT)}:(\d+):\d+: (\w+)\[([\w-]+)\] (.*)$")
 _UNCERTAIN: Final = re.compile(r"`None`| \| | in union |Literal\[[^]]*,")
 """A value that may be None, or one of several types, may well be the right one when the program gets there."""
@@ -149,8 +154,15 @@ class TypeChecker:
             row, severity, rule, message = match.groups()
             message = message[:MESSAGE_CHARS]
             if severity == "error" and rule in REFUSED_RULES and not _UNCERTAIN.search(message):
-                problems.append(f"line {int(row) - 1}: {message}")
+                problems.append(f"line {int(row) - 1}: {message}{_meant(message)}")
         return tuple(problems[:SHOWN])
+
+
+def _meant(message: str) -> str:
+    """Which name of the guest API is nearest to one that does not exist? As ', perhaps `color` is meant'."""
+    named = _NO_ATTRIBUTE.match(message)
+    near = get_close_matches(named[2], _ATTRIBUTES.get(named[1], ()), 1) if named is not None else []
+    return f", perhaps `{near[0]}` is meant" if near else ""
 
 
 def _apart(code: str) -> str:

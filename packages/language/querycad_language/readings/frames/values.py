@@ -168,8 +168,8 @@ def less(question: Question, get: Get, features: Features, used: AbstractSet[int
 
 
 def density_of(text: Text) -> tuple[float | None, set[int]]:
-    """The density that is stated, or that of the material that is named; and the words for it."""
-    stated = {at: token.value for at, token in enumerate(text.tokens) if token.power == DENSITY}
+    """The density that is stated, or that of the material that is named; and the words for it. Nothing has one of 0."""
+    stated = {at: token.value for at, token in enumerate(text.tokens) if token.power == DENSITY and token.value > 0}
     densities = [*stated.values(), *(span.value for span in text.all("material"))]
     if not densities:
         return None, set()
