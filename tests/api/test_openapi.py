@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,16 @@ def operations() -> list[tuple[str, dict[str, Any]]]:
 
 def test_the_committed_description_is_the_code_s() -> None:
     assert (ROOT / "openapi.yaml").read_text(encoding="utf-8") == openapi_yaml(), "run `make openapi`"
+
+
+def test_the_page_about_the_service_lists_every_endpoint_and_no_other() -> None:
+    page = (ROOT / "docs/service.md").read_text(encoding="utf-8")
+    listed = re.findall(r"`(GET|POST|DELETE) (/[^`?]*?)(?:\?[^`]*)?`(?=[^|]*\|)", page.partition("## API keys")[0])
+    pages = {"get /docs", "get /redoc"}  # for people: the description leaves them out
+    described = {re.sub(r"\{(\w+?)(?:_id)?\}", r"{\1}", name) for name, _ in operations()}
+    named = {f"{method.lower()} {path}".replace("/models/{id}", "/models/{model}") for method, path in listed}
+    named = {name.replace("/jobs/{id}", "/jobs/{job}") for name in named}
+    assert named == described | pages
 
 
 def test_every_error_is_documented_as_a_problem() -> None:

@@ -54,6 +54,17 @@ def test_a_question_of_the_readme_is_answered(line: str, tmp_path: Path) -> None
         assert (tmp_path / "build" / "demo.png").read_bytes().startswith(b"\x89PNG")
 
 
+def test_the_demo_prints_what_the_readme_shows(tmp_path: Path) -> None:
+    """Line by line, but for times and the confidence of the last fit; where the page has '…', lines are left out."""
+    shown = re.search(r"<!-- demo output: begin -->\n```text\n(.*?)```", README, re.DOTALL)
+    assert shown is not None
+    (tmp_path / "build").mkdir()
+    printed = querycad(ASKED[0], tmp_path).stdout.replace(f"{tmp_path}/", "")
+    lines = [".*" if line.strip() == "…" else re.escape(line) for line in shown[1].splitlines()]
+    pattern = re.sub(r"\d+\\\.\d+(?=\\ ms|\\\))", r"\\d+\\.\\d+", "\n".join(lines))
+    assert re.fullmatch(pattern, printed.rstrip("\n"), re.DOTALL), printed
+
+
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_links_lead_to_files(page: Path) -> None:
     text = page.read_text()
