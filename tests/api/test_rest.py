@@ -118,6 +118,17 @@ def test_links_lead_somewhere(client: httpx.Client, model: str, answered: str) -
     assert client.post(waiting["links"]["cancel"]).json()["status"] == "done"
 
 
+def test_what_is_wrong_is_said_in_words_of_json(client: httpx.Client, model: str) -> None:
+    body = {"question": "?", "expect": "count", "context": "x", "colour": 1}
+    found = problem(client.post(f"/v1/models/{model}/questions", json=body), 422)
+    assert {error["pointer"]: error["detail"] for error in found["errors"]} == {
+        "#/expect": "Input should be an object",
+        "#/context": "Input should be an array",
+        "#/colour": "There is no such field",
+    }
+    assert "openapi.json" in problem(client.get("/v1/model"), 404)["detail"]
+
+
 @pytest.mark.parametrize(
     ("body", "pointers"),
     [

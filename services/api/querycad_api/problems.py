@@ -23,6 +23,13 @@ PROBLEM_JSON = "application/problem+json"
 PROBLEM_SCHEMA: dict[str, Any] = {PROBLEM_JSON: {"schema": {"$ref": "#/components/schemas/Problem"}}}
 RETRY_AFTER_S = 2
 
+_IN_JSON = {
+    **dict.fromkeys(("model_attributes_type", "model_type", "dict_type"), "Input should be an object"),
+    **dict.fromkeys(("tuple_type", "list_type"), "Input should be an array"),
+    "extra_forbidden": "There is no such field",
+}
+"""By the type of an error, what pydantic says in terms of Python."""
+
 log = logging.getLogger(__name__)
 
 
@@ -202,14 +209,7 @@ def add_handlers(app: FastAPI) -> None:
             return await of_ours(request, error.__cause__)
         if isinstance(error.__cause__, OSError):
             return await of_files(request, error.__cause__)
-        title = HTTPStatus(error.status_code).phrase
-        detail = error.detail if error.detail != title else ""
-        problem = Problem(title=title, status=error.status_code, detail=detail)
-        headers = dict(error.headers or {})
-        if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
-            # RFC 9110, 15.5.6: all of them
-            headers["Allow"] = ", ".join(_allowed(app, request.scope["path"])) or headers.get("Allow", "")
-        return problem_response(problem, headers)
+        return _of_framework(app, request, error)
 
     @app.exception_handler(RedisError)
     async def of_redis(_: Request, error: RedisError) -> Response:
@@ -226,6 +226,22 @@ def add_handlers(app: FastAPI) -> None:
         return problem_response(ServiceUnavailable("files cannot be kept or read; try again in a moment").problem())
 
 
+def _of_framework(app: FastAPI, request: Request, error: HTTPException) -> Response:
+    """What the framework refuses, in our words where it has none or those of Python."""
+    if error.status_code == HTTPStatus.BAD_REQUEST and (problem := _of_form(request, error.detail)) is not None:
+        return problem_response(problem)
+    title = HTTPStatus(error.status_code).phrase
+    if error.status_code == HTTPStatus.NOT_FOUND:
+        return problem_response(NotThere("this path leads nowhere; /openapi.json lists all paths").problem())
+    detail = error.detail if error.detail != title else ""
+    problem = Problem(title=title, status=error.status_code, detail=detail)
+    headers = dict(error.headers or {})
+    if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
+        # RFC 9110, 15.5.6: all of them
+        headers["Allow"] = ", ".join(_allowed(app, request.scope["path"])) or headers.get("Allow", "")
+    return problem_response(problem, headers)
+
+
 def _of_input(request: Request, errors: Sequence[Mapping[str, Any]]) -> Problem:
     """What is wrong with a request that is not as documented.
 
@@ -233,19 +249,36 @@ def _of_input(request: Request, errors: Sequence[Mapping[str, Any]]) -> Problem:
     """
     errors = [each for each in errors if not _follows(each, errors)]
     places = {str(each["loc"][0]) for each in errors}
+    errors = [{**each, "msg": _IN_JSON.get(each["type"], each["msg"])} for each in errors]
     told = tuple(_told(each) for each in errors)
     lines = "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in errors)
     if "path" in places:
         return NotThere(lines).problem().model_copy(update={"errors": told})
     if places != {"body"}:
         return Malformed(lines).problem().model_copy(update={"errors": told})
-    takes = "multipart/form-data" if request.url.path == UPLOAD_PATH else "application/json"
-    sent = request.headers.get("content-type", "").partition(";")[0].strip().lower()
-    if sent and sent != takes:
-        return WrongMediaType(f"the body must be {takes}, not {sent}").problem()
+    if (wrong := _wrong_media_type(request)) is not None:
+        return wrong
     if any(each["type"] == "json_invalid" for each in errors):
         return Malformed(lines).problem()
     return NotAsDocumented(lines).problem().model_copy(update={"errors": told})
+
+
+def _wrong_media_type(request: Request) -> Problem | None:
+    """What is wrong with the kind of body that the request says it has? None where nothing is."""
+    takes = "multipart/form-data" if request.url.path == UPLOAD_PATH else "application/json"
+    sent = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    return WrongMediaType(f"the body must be {takes}, not {sent}").problem() if sent and sent != takes else None
+
+
+def _of_form(request: Request, detail: str) -> Problem | None:
+    """What is wrong with an upload whose form could not be read; None of any other request."""
+    if request.url.path != UPLOAD_PATH:
+        return None
+    if (wrong := _wrong_media_type(request)) is not None:
+        return wrong
+    if "exceeded maximum size" in detail:  # as Starlette says it of what has no file name
+        detail = "send the file with a file name, as `curl -F file=@part.step` does: without one it is a text field"
+    return Malformed(detail).problem()
 
 
 def _follows(error: Mapping[str, Any], errors: Sequence[Mapping[str, Any]]) -> bool:

@@ -331,6 +331,9 @@ def test_a_request_without_a_file_is_not_as_documented(client: httpx.Client) -> 
     found = problem(client.post("/v1/models", files={"other": ("x.step", STEP)}), 422)
     assert [error["pointer"] for error in found["errors"]] == ["#/file"]
     problem(client.post("/v1/models", data={"file": "x"}), 415)
+    problem(client.post("/v1/models", data={"file": "x" * 2000}), 415)
+    without_name = problem(client.post("/v1/models", files={"file": (None, "x" * 2000)}), 400)
+    assert "file name" in without_name["detail"]
     problem(client.post("/v1/models", content=STEP, headers={"Content-Type": "model/step"}), 415)
 
 
