@@ -235,6 +235,13 @@ def test_the_asynchronous_client_says_so_too() -> None:
     asyncio.run(ask())
 
 
+@pytest.mark.parametrize("kind", [Client, AsyncClient])
+@pytest.mark.parametrize("url", ["localhost:8000", "127.0.0.1", "", "ftp://service"])
+def test_what_is_no_address_of_a_service_is_refused(kind: type[Client | AsyncClient], url: str) -> None:
+    with pytest.raises(ValueError, match="begins with http:// or https://, not "):
+        kind(url)
+
+
 def test_a_port_where_nobody_listens_is_refused_by_the_system_itself() -> None:
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))

@@ -188,6 +188,13 @@ def test_a_file_with_a_byte_order_mark_is_read(drilled: Path, tmp_path: Path) ->
     assert ingest(path, ModelStore(tmp_path / "store")).load_model().shape.face_count == 7
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no named pipes")
+def test_a_pipe_that_nobody_writes_to_is_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.step")
+    with pytest.raises(NotStep, match="not a file"):
+        ingest(tmp_path / "pipe.step", ModelStore(tmp_path / "store"))
+
+
 @pytest.mark.skipif(os.geteuid() == 0, reason="the superuser may read every file")
 def test_a_file_that_may_not_be_read_is_said_to_be_so(tmp_path: Path) -> None:
     path = write_step(tmp_path / "secret.step", box((1, 1, 1)))

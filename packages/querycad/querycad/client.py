@@ -56,13 +56,13 @@ class Client:
     """Uploads models to a service and asks about them. Use it as a context manager, or call `close`.
 
     All methods raise ServerProblem and ServerUnreachable, and ValueError for what no service would take, such as an
-    empty question; a request that may be repeated is, while the service has trouble. `key` is an API key, `transport`
-    replaces the network.
+    empty question; a request that may be repeated is, while the service has trouble. `url` is
+    the service's address, such as http://127.0.0.1:8000; `key` is an API key, `transport` replaces the network.
     """
 
     def __init__(self, url: str, key: str | None = None, transport: httpx.BaseTransport | None = None) -> None:
         self._http = httpx.Client(
-            base_url=url,
+            base_url=_address(url),
             headers=_identified(key),
             timeout=httpx.Timeout(flows.WAIT_S + flows.MARGIN_S, connect=flows.CONNECT_S),
             transport=transport or httpx.HTTPTransport(verify=_tls()),
@@ -249,6 +249,13 @@ class Client:
             return result
 
 
+def _address(url: str) -> str:
+    """The address of a service. Raises ValueError for what is none, such as a host and port alone."""
+    if not url.startswith(("http://", "https://")):
+        raise ValueError(f"the address of a service begins with http:// or https://, not {url!r}")
+    return url
+
+
 def _runs_here(loop: asyncio.AbstractEventLoop) -> bool:
     """Is this the thread of the loop, which nothing may wait in for the loop?"""
     try:
@@ -267,7 +274,7 @@ class AsyncClient:
 
     def __init__(self, url: str, key: str | None = None, transport: httpx.AsyncBaseTransport | None = None) -> None:
         self._http = httpx.AsyncClient(
-            base_url=url,
+            base_url=_address(url),
             headers=_identified(key),
             timeout=httpx.Timeout(flows.WAIT_S + flows.MARGIN_S, connect=flows.CONNECT_S),
             transport=transport or httpx.AsyncHTTPTransport(verify=_tls()),

@@ -53,6 +53,8 @@ from querycad_contracts import (
 from querycad_segworker.errors import FileProblem, NotStep
 from querycad_segworker.files.sniff import must_be_file
 
+from .inputs import listed, named
+
 WAIT_S = 30
 """How long the service is asked to wait in one request; longer waits are several requests."""
 MARGIN_S = 10.0
@@ -201,20 +203,27 @@ def parts(model_id: str, kind: str | None, offset: int, limit: int) -> Flow[Part
 
 def table(model_id: str, kind: TableKind, grouped: bool | None, unit: LengthUnit) -> Flow[Table]:
     """The holes, bends, bodies …"""
-    query = {"unit": LengthUnit(unit).value} | ({} if grouped is None else {"grouped": str(grouped).lower()})
-    return (yield from _got(Table, f"/v1/models/{model_id}/tables/{TableKind(kind).value}", query))
+    query = {"unit": named(LengthUnit, unit, "unit").value} | (
+        {} if grouped is None else {"grouped": str(grouped).lower()}
+    )
+    return (yield from _got(Table, f"/v1/models/{model_id}/tables/{named(TableKind, kind, 'table').value}", query))
 
 
 def describe(model_id: str, unit: LengthUnit) -> Flow[Description]:
     """What is the model?"""
-    return (yield from _got(Description, f"/v1/models/{model_id}/description", {"unit": LengthUnit(unit).value}))
+    return (
+        yield from _got(
+            Description, f"/v1/models/{model_id}/description", {"unit": named(LengthUnit, unit, "unit").value}
+        )
+    )
 
 
 def find_parts(
     model_id: str, description: str, sides: Sequence[Side] | None, grounding: GroundedBy = GroundedBy.GEOMETRY
 ) -> Flow[Grounding]:
     """Which parts does the phrase mean?"""
-    asked = SegmentRequest(description=description, sides=None if sides is None else tuple(sides), grounding=grounding)
+    seen_from = None if sides is None else listed(sides)
+    asked = SegmentRequest(description=description, sides=seen_from, grounding=grounding)
     send = Send("POST", f"/v1/models/{model_id}/segment", options={"json": asked.model_dump(mode="json")})
     return _parsed(Grounding, (yield from _sent(send)))
 
@@ -236,7 +245,7 @@ def parameters(model_id: str, asked: ParametersRequest) -> Flow[ParameterSet]:
 def view(model_id: str, name: ViewName, width: int, height: int) -> Flow[bytes]:
     """How does the model look from there?"""
     query = {"width": width, "height": height}
-    send = Send("GET", f"/v1/models/{model_id}/views/{ViewName(name).value}", options={"params": query})
+    send = Send("GET", f"/v1/models/{model_id}/views/{named(ViewName, name, 'view').value}", options={"params": query})
     return (yield from _sent(send)).content
 
 

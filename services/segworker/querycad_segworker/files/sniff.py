@@ -44,6 +44,8 @@ def check_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
 def kind_of(path: Path) -> FileKind | None:
     """What kind of file is it? None where it cannot be read. Raises NotStep for an archive that is not looked into."""
     try:
+        if not path.is_file():
+            return None  # whoever opens a named pipe waits for its writer
         with path.open("rb") as file:
             kind = file_kind(file.read(HEAD_BYTES))
         if kind is FileKind.ZIP:
