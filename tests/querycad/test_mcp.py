@@ -200,6 +200,7 @@ def test_what_cannot_be_done_says_what_to_do(transport: Transport, home: Path) -
             missing = await agent.refused("open_model", file="examples/flansh.step")
             assert "no such file" in missing
             assert "flange.step" in missing
+            assert re.search("no file: .*examples; .*flange.step", await agent.refused("open_model", file="examples"))
             assert "not a STEP file" in await agent.refused("open_model", file="examples/README.md")
             model = (await agent.call("open_model", file="examples/flange.step"))["model"]
             assert model in await agent.refused("ask", model="flange", question="How many holes are there?")

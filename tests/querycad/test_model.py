@@ -255,7 +255,9 @@ def test_a_measure_is_that_of_the_part_and_no_stretch_of_it(either: Model) -> No
     assert either.measure("face_count").value == 41
     assert either.measure("edge_count", "model-1").value == 51
     assert either.measure("mass", "body-1", density=7850).value == pytest.approx(3.76705, rel=1e-5)
-    assert either.measure("mass", density=7850).value == pytest.approx(3.76705, rel=1e-5)
+    whole = either.measure("mass", density=7850)
+    assert (whole.value, whole.text) == (pytest.approx(3.76705, rel=1e-5), "3.76705 kg")
+    assert either.measure("inertia", density=7850).text.endswith(" kg m2")
     with pytest.raises(NoValue, match="density=7850"):
         either.measure("mass")
     with pytest.raises(NoValue, match="counted of the whole model"):

@@ -112,8 +112,8 @@ class Session:
             if not path.resolve().is_relative_to(self._folder):
                 raise ToolError(f"only files in {self._folder} are opened; {_there(self._folder)}")
         if not path.is_file():
-            near = path.parent if path.parent.is_dir() else self._folder or Path.cwd()
-            raise ToolError(f"no such file: {path}; {_there(near)}")
+            near = next((each for each in (path, path.parent) if each.is_dir()), self._folder or Path.cwd())
+            raise ToolError(f"{'no file' if path.is_dir() else 'no such file'}: {path}; {_there(near.resolve())}")
         model = self._runtime.open(path)
         name = f"{path.stem}-{model.id[:8]}"
         self._models[name] = model

@@ -12,6 +12,9 @@ from querycad_contracts import AnswerType, Measure, Part, PartKind, PartQuery, R
 from querycad_language.forms import Get
 from querycad_language.measures import answer_type, of_several
 
+UNITS = {Measure.MASS: "kg", Measure.INERTIA: "kg m2"}
+"""What takes a density, and its unit, which no `Unit` of an answer is."""
+
 
 class NoValue(ValueError):
     """A part has no such measure, or a measurement could not be made; `str()` says why."""
@@ -31,7 +34,7 @@ def measuring(get: Get, parts: Sequence[Part], whole: Part, *, several: bool) ->
         raise ValueError(f"a density is more than 0 kg/m3, not {get.density:g}")
     if several and not parts:
         raise NoValue("no part is given to be measured")
-    if measure in (Measure.MASS, Measure.INERTIA) and get.density is None:
+    if measure in UNITS and get.density is None:
         raise NoValue(f"a file holds no density: give one in kg/m3 for the {measure.value}, such as density=7850")
     scalar = answer_type(measure)
     queries = [PartQuery(ids=(part.id,)) for part in parts]

@@ -50,7 +50,7 @@ from querycad_contracts.services import PIXELS
 from querycad_language.forms import Get
 
 from .inputs import Parameters, listed, named, request_fields
-from .measuring import NoValue, measuring, value_of
+from .measuring import UNITS, NoValue, measuring, value_of
 
 SIZE = (800, 600)
 """Width and height of a picture of the model, pixels."""
@@ -349,9 +349,10 @@ class Model:
         if value in ([], None) or (isinstance(value, list) and all(each is None for each in value)):
             raise NoValue(f"the file gives no {wanted.value.replace('_', ' ')} of it")
         try:
-            return typed_answer(value, kind, self._unit(unit), code)
+            found = typed_answer(value, kind, self._unit(unit), code)
         except WrongAnswerType as error:
             raise NoValue(str(error)) from error
+        return found.model_copy(update={"text": f"{found.text} {UNITS[wanted]}"}) if wanted in UNITS else found
 
     def distance(
         self,
