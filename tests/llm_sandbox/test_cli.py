@@ -18,7 +18,7 @@ from querycad_sandbox.cli import main, run_program
 @pytest.fixture
 def program(tmp_path: Path) -> Path:
     path = tmp_path / "program.py"
-    path.write_text("print('looking')\nsolution = [p.id for p in find_parts('boss')]", encoding="utf-8")
+    path.write_text("print('looking')\nsolution = [p.id for p in find_parts('boss')]", encoding="utf-8-sig")
     return path
 
 
@@ -63,7 +63,7 @@ def test_a_program_that_fails_is_exit_code_1(program: Path, capsys: pytest.Captu
 @pytest.mark.parametrize(
     ("arguments", "complaint"),
     [
-        (["nowhere.py"], "nowhere.py: "),
+        (["nowhere.py"], "querycad: nowhere.py: No such file or directory\n"),
         (["-", "--seconds", "-1"], "duration_s: Input should be greater than 0"),
         (["-", "--memory", "100000"], "memory_bytes: Input should be less than"),
         (["-", "--expects", "poem"], "'poem' is not a valid AnswerType"),

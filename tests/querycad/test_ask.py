@@ -45,10 +45,12 @@ def test_the_unit_is_the_one_asked_for(capsys: pytest.CaptureFixture[str], unit:
 
 def test_json_is_one_object_a_line_in_si_whatever_the_unit(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     questions = tmp_path / "questions.txt"
-    questions.write_text("What is the diameter of the largest hole?\n\nHow many holes are there?\n", encoding="utf-8")
+    asked = ["What is the diameter of the largest hole?", "How many holes are there?"]
+    questions.write_text("\r\n\r\n".join(asked), encoding="utf-8-sig")  # as Windows writes it
     code, out, _ = run(capsys, FLANGE, "--questions", str(questions), "--json", "--unit", "in")
     records = [json.loads(line) for line in out.splitlines()]
     assert code == 0
+    assert [record["question"] for record in records] == asked
     assert [record["answer"]["value"] for record in records] == [pytest.approx(0.054), 11]
     assert records[0]["answer"]["unit"] == "m"
     assert records[0]["parts"][0]["faces"]

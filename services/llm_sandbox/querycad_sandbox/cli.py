@@ -110,9 +110,9 @@ def complain(problem: str) -> int:
 def _text(program: str) -> str:
     """The program's text. Raises ValueError when it cannot be read."""
     try:
-        return sys.stdin.read() if program == "-" else Path(program).read_text(encoding="utf-8")
+        return sys.stdin.read() if program == "-" else Path(program).read_text(encoding="utf-8-sig")
     except (OSError, UnicodeError) as error:
-        raise ValueError(f"{program}: {error}") from error
+        raise ValueError(f"{program}: {getattr(error, 'strerror', None) or 'not UTF-8 text'}") from error
 
 
 def _limits(options: argparse.Namespace) -> RunLimits:

@@ -129,7 +129,7 @@ def _questions(options: argparse.Namespace) -> list[str]:
     if options.question is not None:
         return [options.question]
     try:
-        lines = Path(options.questions).read_text(encoding="utf-8").splitlines()
+        lines = Path(options.questions).read_text(encoding="utf-8-sig").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise ValueError(f"{options.questions}: {getattr(error, 'strerror', None) or 'not UTF-8 text'}") from error
     questions = [line.strip() for line in lines if line.strip()]
