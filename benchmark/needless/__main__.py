@@ -40,7 +40,7 @@ from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.grounding.names import vocabulary
 from querycad_segworker.ingest import ingest
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 from querycad_segworker.model import ModelStore
 
 ROOT = Path(querycad_language.__file__).parent
@@ -76,21 +76,21 @@ class Statement:
 def _winners(group: Sequence[Question]) -> list[Asked]:
     """The questions about one model that are answered rightly."""
     try:
-        segcad = LocalSegCad(ingest(group[0].file, ModelStore(STORE)))
+        finder = LocalPartFinder(ingest(group[0].file, ModelStore(STORE)))
     except FileProblem:
         return []
-    names = tuple(sorted(vocabulary(segcad.model.parts)))
-    whole = next(part for part in segcad.model.parts if part.kind == "model")
+    names = tuple(sorted(vocabulary(finder.model.parts)))
+    whole = next(part for part in finder.model.parts if part.kind == "model")
     found = []
     with Sandbox(workers=1) as sandbox:
         for one in group:
             done: list[tuple[Candidate, bool]] = []
             reader = Reader(one.question, names)
             affinity = Affinity(reader.text.words, whole)
-            for candidate in candidates(reader.readings, segcad.ground, whole, affinity):
+            for candidate in candidates(reader.readings, finder.ground, whole, affinity):
                 expects = candidate.written.expects
                 try:
-                    outcome = sandbox.run(candidate.written.code, segcad, expects=expects, check=False)
+                    outcome = sandbox.run(candidate.written.code, finder, expects=expects, check=False)
                 except FileProblem:  # a measurement that the kernel could not make
                     continue
                 if outcome.status is RunStatus.OK:

@@ -18,7 +18,7 @@ from benchmark.scoring.items import BadBenchmark
 from querycad.runtime import EmbeddedRuntime
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 
 from .figures import Measurement, NotMeasured, Series, percentile, times_ms
 from .ingest import Readings, ingest_measurements, memory_measurements
@@ -127,11 +127,11 @@ def _questions(run: _Run) -> Iterator[Measurement]:
     model, count = run.options.models[0], run.options.questions
     sandbox = Sandbox(workers=1)
     with EmbeddedRuntime(run.scratch / "models", sandbox) as runtime:
-        segcad = _known(runtime, model)
+        finder = _known(runtime, model)
         for question in QUESTIONS:
             runtime.ask(model, question)
         asked = times_ms(lambda i: runtime.ask(model, QUESTIONS[i % len(QUESTIONS)]), count)
-        empty = times_ms(lambda _: sandbox.run(EMPTY_PROGRAM, segcad), count)
+        empty = times_ms(lambda _: sandbox.run(EMPTY_PROGRAM, finder), count)
     for share, limit_ms in ((50, 50.0), (99, None)):
         value = percentile(asked, share)
         yield Measurement(
@@ -159,7 +159,7 @@ def _rendering(run: _Run) -> Iterator[Measurement]:
     yield from vision_measurements(known, run.options.repeat)
 
 
-def _known(runtime: EmbeddedRuntime, model: Path) -> LocalSegCad:
+def _known(runtime: EmbeddedRuntime, model: Path) -> LocalPartFinder:
     """The model, read now, so that no question is measured that waits for it."""
     try:
         return runtime.model(model)

@@ -40,7 +40,7 @@ GROWTH: Final = 1.1
 """Memory may grow by so much between the first tenth of the runs and the last, for the allocator's sake."""
 
 
-class NoSegCad:
+class NoPartFinder:
     """Of programs that ask nothing; who asks waits, as if a segworker were busy."""
 
     def __init__(self, control: RunControl | None = None) -> None:
@@ -101,7 +101,7 @@ def sandbox_measurements(runs: int) -> Iterator[Measurement]:
         sandbox.warm()
 
         def run(_: int) -> None:
-            assert sandbox.run(EMPTY_PROGRAM, NoSegCad()).status is RunStatus.OK
+            assert sandbox.run(EMPTY_PROGRAM, NoPartFinder()).status is RunStatus.OK
 
         times_ms(run, 20)
         yield from _overhead(times_ms(run, runs), max(runs // 20, 5))
@@ -188,8 +188,8 @@ def _killed(sandbox: Sandbox) -> Measurement:
     def run(number: int) -> RunStatus:
         if number:
             started.wait()
-            return sandbox.run(EMPTY_PROGRAM, NoSegCad()).status
-        return sandbox.run(FOR_EVER, NoSegCad(), RunLimits(duration_s=30)).status
+            return sandbox.run(EMPTY_PROGRAM, NoPartFinder()).status
+        return sandbox.run(FOR_EVER, NoPartFinder(), RunLimits(duration_s=30)).status
 
     with ThreadPoolExecutor(THREADS) as threads:
         before = _computed(os.getpid())
@@ -211,18 +211,18 @@ def _killed(sandbox: Sandbox) -> Measurement:
 
 
 def _waiting(sandbox: Sandbox) -> Measurement:
-    """How long do many runs take that wait for SegCAD at once?"""
+    """How long do many runs take that wait for the segworker at once?"""
 
     def run(_: int) -> RunStatus:
         control = RunControl()
-        return sandbox.run("solution = len(find_parts('hole'))", NoSegCad(control), control=control).status
+        return sandbox.run("solution = len(find_parts('hole'))", NoPartFinder(control), control=control).status
 
     with ThreadPoolExecutor(WAITING) as threads:
         started = time.perf_counter()
         assert set(threads.map(run, range(WAITING))) == {RunStatus.OK}
         value = time.perf_counter() - started
     return Measurement(
-        name=f"{WAITING} runs waiting for SegCAD on {WORKERS} interpreters",
+        name=f"{WAITING} runs waiting for the segworker on {WORKERS} interpreters",
         value=value,
         unit="s",
         baseline_name="one such wait",

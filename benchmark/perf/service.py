@@ -1,6 +1,6 @@
 """How quick is the service, and does it keep its word while its processes die? `querycad bench service`
 
-Everything goes over HTTP to a `querycad serve` of its own. Throughput of SegCAD work is measured with one and with two
+Everything goes over HTTP to a `querycad serve` of its own. Throughput of segworkers is measured with one and with two
 segworkers in the same run.
 """
 
@@ -203,7 +203,7 @@ def mesh_of(file: Path, folder: Path) -> Path:
 
 
 def drawn_per_s(service: Service, model: str, sizes: Iterator[int], count: int = 8) -> float:
-    """Views drawn a second for four clients: SegCAD's work alone."""
+    """Views drawn a second for four clients: the segworker's work alone."""
     widths = [next(sizes) + 400 for _ in range(count)]
     with Client(service.url) as client, ThreadPoolExecutor(4) as pool:
         start = time.perf_counter()

@@ -21,7 +21,7 @@ EFFICIENCY = 0.6
 
 
 def workers_measurements(model: Path, scratch: Path) -> Iterator[Measurement | Series]:
-    """SegCAD's work alone: views drawn for four clients. No more workers than cores. Raises NotMeasured."""
+    """The segworker's work alone: views drawn for four clients. No more workers than cores. Raises NotMeasured."""
     cores = len(psutil.Process().cpu_affinity())
     counts = [count for count in WORKERS if count <= cores]
     if len(counts) < 2:

@@ -21,7 +21,7 @@ from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.grounding.names import vocabulary
 from querycad_segworker.ingest import ingest
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 from querycad_segworker.model import ModelStore
 
 from .data import MISSING, Question, is_right
@@ -77,22 +77,22 @@ def read_kept(path: Path) -> list[Row]:
 
 def _of_model(asked: Sequence[Question], store: Path) -> list[Row]:
     try:
-        segcad = LocalSegCad(ingest(asked[0].file, ModelStore(store)))
+        finder = LocalPartFinder(ingest(asked[0].file, ModelStore(store)))
     except FileProblem as problem:
         print(f"{asked[0].file}: {problem}", file=sys.stderr)
         return [Row(one, ()) for one in asked]
-    whole = next(part for part in segcad.model.parts if part.kind == "model")
+    whole = next(part for part in finder.model.parts if part.kind == "model")
     with Sandbox(workers=1) as sandbox:
-        return [Row(one, tuple(_tried(one, segcad, whole, sandbox))) for one in asked]
+        return [Row(one, tuple(_tried(one, finder, whole, sandbox))) for one in asked]
 
 
-def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) -> list[Tried]:
+def _tried(one: Question, finder: LocalPartFinder, whole: Part, sandbox: Sandbox) -> list[Tried]:
     found = []
-    names = vocabulary(segcad.model.parts)
+    names = vocabulary(finder.model.parts)
     grounded: dict[PartQuery, Sequence[Grounded]] = {}
 
     def ground(queries: Sequence[PartQuery]) -> Sequence[Sequence[Grounded]]:
-        ways = segcad.ground(queries)
+        ways = finder.ground(queries)
         grounded.update(zip(queries, ways, strict=True))
         return ways
 
@@ -106,7 +106,7 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
     for candidate in ranked:
         parts = tuple(part_traits(way, whole) for way in islice(candidate.grounds.values(), MOST_WAYS))
         try:
-            outcome = sandbox.run(candidate.written.code, segcad, expects=candidate.written.expects, check=False)
+            outcome = sandbox.run(candidate.written.code, finder, expects=candidate.written.expects, check=False)
         except FileProblem as problem:  # a measurement that the kernel could not make
             outcome = RunOutcome(status=RunStatus.CRASHED, message=str(problem))
         if outcome.status is not RunStatus.OK:

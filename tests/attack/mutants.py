@@ -25,7 +25,7 @@ import psutil
 
 from querycad_segworker.errors import FileProblem, KernelDied
 from querycad_segworker.ingest import IngestLimits, ingest
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 from querycad_segworker.model import ModelStore
 from querycad_segworker.summary import summary
 
@@ -244,7 +244,7 @@ def judge(seed: int, folder: Path) -> Verdict:
     store = ModelStore(folder / "store")
     said = ""
     try:
-        model = LocalSegCad(ingest(path, store, LIMITS))
+        model = LocalPartFinder(ingest(path, store, LIMITS))
         told = (
             summary(model.model).model_dump_json() + model.artefacts.model.read_text() + str(model.find_parts("holes"))
         )

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tests.llm_sandbox.conftest import FakeSegCad, make_part
+from tests.llm_sandbox.conftest import FakePartFinder, make_part
 
 from querycad_contracts import Grounding, PartQuery, RunLimits, RunStatus, Side
 from querycad_sandbox.sandbox import HOST_SHARE, Sandbox
 
 
-class LargeSegCad(FakeSegCad):
+class LargePartFinder(FakePartFinder):
     """A model of very many parts, all of which every phrase means."""
 
     def __init__(self, parts: int) -> None:
@@ -22,19 +22,19 @@ class LargeSegCad(FakeSegCad):
         return Grounding(description="hole", sides=None, parts=self.many, understood=True)
 
 
-FIRST = FakeSegCad().parts()[0].model_dump(exclude={"id", "evidence"})
+FIRST = FakePartFinder().parts()[0].model_dump(exclude={"id", "evidence"})
 
 
 def test_parts_that_a_program_asks_for_again_and_again_count_towards_its_memory() -> None:
-    segcad = LargeSegCad(500)
+    finder = LargePartFinder(500)
     limits = RunLimits(memory_bytes=4 * 2**20)
     code = "solution = 0\nfor i in range(90):\n    solution = solution + len(find_parts('hole ' + str(i)))"
     with Sandbox(workers=1) as sandbox:
-        outcome = sandbox.run(code, segcad, limits)
+        outcome = sandbox.run(code, finder, limits)
         assert outcome.status is RunStatus.OUT_OF_MEMORY
-        assert len(segcad.calls) <= HOST_SHARE * limits.memory_bytes // (500 * 6000) + 1
+        assert len(finder.calls) <= HOST_SHARE * limits.memory_bytes // (500 * 6000) + 1
         assert len(outcome.model_dump_json()) < HOST_SHARE * limits.memory_bytes
-        assert sandbox.run("solution = len(find_parts('hole'))", segcad, limits).value == 500
+        assert sandbox.run("solution = len(find_parts('hole'))", finder, limits).value == 500
 
 
 def test_a_function_is_no_value() -> None:
@@ -45,4 +45,4 @@ def test_a_function_is_no_value() -> None:
             "def f():\n    return 1\nsolution = f",
             "solution = [len]",
         ):
-            assert sandbox.run(code, FakeSegCad(), check=False).status is RunStatus.REFUSED
+            assert sandbox.run(code, FakePartFinder(), check=False).status is RunStatus.REFUSED

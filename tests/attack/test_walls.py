@@ -13,7 +13,7 @@ import landlockpy
 import pytest
 import seccompy
 
-from querycad_contracts import SegCad, Walls, WallsMissing
+from querycad_contracts import PartFinder, Walls, WallsMissing
 from querycad_sandbox.app import make_app
 from querycad_sandbox.sandbox import Sandbox
 from querycad_sandbox.settings import SandboxSettings
@@ -23,7 +23,7 @@ from querycad_sandbox.walls.confinement import Confinement
 needs_walls = pytest.mark.skipif(
     not (sys.platform == "linux" and landlockpy.supported() and seccompy.supported()), reason="the kernel has not both"
 )
-NO_MODEL = cast("SegCad", None)
+NO_MODEL = cast("PartFinder", None)
 RUN = """
 import json
 from querycad_sandbox.sandbox import Sandbox

@@ -1,4 +1,4 @@
-"""A small model behind the SegCad port, made by hand, and one sandbox for all tests.
+"""A small model behind the port `PartFinder`, made by hand, and one sandbox for all tests.
 
 The plate: three through holes on a line (two of radius 2.5 mm, one of 5 mm), a blind slot, a boss on top, its top face,
 and the plate itself as a body. Metres.
@@ -62,7 +62,7 @@ KNOWN = {"hole": "hole", "boss": "boss", "slot": "slot", "face": "region", "plat
 UP = (0.0, 0.0, 1.0)
 
 
-class FakeSegCad:
+class FakePartFinder:
     """Answers from the plate, and keeps what it was asked."""
 
     def __init__(self, prefix: str = "") -> None:
@@ -244,8 +244,8 @@ def sandbox() -> Iterator[Sandbox]:
 
 
 @pytest.fixture
-def segcad() -> FakeSegCad:
-    return FakeSegCad()
+def finder() -> FakePartFinder:
+    return FakePartFinder()
 
 
 MODEL = "0123456789abcdef" * 4
@@ -264,7 +264,7 @@ class FakeSegworker(threading.Thread):
         self._redis = Redis.from_url(redis_url)
         self._connection = Connection(redis_url)
         self._ended = threading.Event()
-        self._segcad = FakeSegCad()
+        self._finder = FakePartFinder()
         self.models: set[str] = set()
         self.traces: list[str | None] = []
 
@@ -294,29 +294,29 @@ class FakeSegworker(threading.Thread):
     def _answer(self, name: TaskName, payload: dict[str, Any]) -> Any:  # noqa: PLR0911 - a case a task
         match name:
             case TaskName.SHAPE:
-                return self._segcad.shape()
+                return self._finder.shape()
             case TaskName.FIND_PARTS:
                 task = FindPartsTask.model_validate(payload)
-                return self._segcad.find_parts(task.description, task.sides)
+                return self._finder.find_parts(task.description, task.sides)
             case TaskName.FACES:
-                return self._segcad.faces(FacesTask.model_validate(payload).ids)
+                return self._finder.faces(FacesTask.model_validate(payload).ids)
             case TaskName.FIND_FACES:
-                return self._segcad.find_faces(FindFacesTask.model_validate(payload).query)
+                return self._finder.find_faces(FindFacesTask.model_validate(payload).query)
             case TaskName.PARTS:
                 assert PartsTask.model_validate(payload).limit is None
-                known = self._segcad.parts()
+                known = self._finder.parts()
                 return PartsPage(items=known, total=len(known))
             case TaskName.EXTENT:
                 along = ExtentTask.model_validate(payload)
-                return self._segcad.extent(along.part, along.direction)
+                return self._finder.extent(along.part, along.direction)
             case TaskName.DISTANCE:
                 between = DistanceTask.model_validate(payload)
-                return self._segcad.distance(between.part_a, between.part_b)
+                return self._finder.distance(between.part_a, between.part_b)
             case TaskName.OVERLAP:
                 shared = DistanceTask.model_validate(payload)
-                return self._segcad.overlap(shared.part_a, shared.part_b)
+                return self._finder.overlap(shared.part_a, shared.part_b)
             case TaskName.EDGE_DISTANCE:
-                return self._segcad.edge_distance(EdgeDistanceTask.model_validate(payload).part)
+                return self._finder.edge_distance(EdgeDistanceTask.model_validate(payload).part)
         raise AssertionError(name)
 
 

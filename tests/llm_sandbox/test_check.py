@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from tests.llm_sandbox.conftest import FakeSegCad
+from tests.llm_sandbox.conftest import FakePartFinder
 
 from querycad_contracts import RunStatus
 from querycad_sandbox import Sandbox
@@ -97,9 +97,9 @@ def test_no_program_is_remembered(checker: TypeChecker) -> None:
 
 def test_no_program_is_run(sandbox: Sandbox) -> None:
     """A run that the check refuses has asked nothing and printed nothing."""
-    segcad = FakeSegCad()
-    outcome = sandbox.run('print("hello")\nsolution = len(find_parts("hole"))\nsolution = undefined', segcad)
-    assert (outcome.status, outcome.printed, segcad.calls) == (RunStatus.REFUSED, "", [])
+    finder = FakePartFinder()
+    outcome = sandbox.run('print("hello")\nsolution = len(find_parts("hole"))\nsolution = undefined', finder)
+    assert (outcome.status, outcome.printed, finder.calls) == (RunStatus.REFUSED, "", [])
 
 
 def test_a_program_cannot_name_the_line_that_guards_its_check(checker: TypeChecker) -> None:
@@ -171,7 +171,7 @@ def test_a_session_is_renewed_after_its_share_of_programs(checker: TypeChecker) 
 def test_without_it_what_does_not_exist_fails_when_the_program_gets_there(
     sandbox: Sandbox, code: str, status: RunStatus, said: str
 ) -> None:
-    outcome = sandbox.run(code, FakeSegCad(), check=False)
+    outcome = sandbox.run(code, FakePartFinder(), check=False)
     assert (outcome.status, outcome.value is None) == (status, status is not RunStatus.OK)
     assert said in outcome.message
 

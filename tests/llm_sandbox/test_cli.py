@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from tests.llm_sandbox.conftest import MODEL, FakeSegCad, FakeSegworker
+from tests.llm_sandbox.conftest import MODEL, FakePartFinder, FakeSegworker
 
 from querycad_sandbox.arguments import add_run_arguments
 from querycad_sandbox.cli import main, run_program
@@ -35,7 +35,7 @@ def run(*arguments: str) -> tuple[int, str]:
     parser = argparse.ArgumentParser()
     add_run_arguments(parser)
     out = io.StringIO()
-    code = run_program(parser.parse_args(arguments), lambda _: FakeSegCad(), out)
+    code = run_program(parser.parse_args(arguments), lambda _: FakePartFinder(), out)
     return code, out.getvalue()
 
 

@@ -6,7 +6,7 @@ import threading
 from collections.abc import Sequence
 
 import pytest
-from tests.llm_sandbox.conftest import FakeSegCad
+from tests.llm_sandbox.conftest import FakePartFinder
 
 from querycad_contracts import Grounding, GuestAnswer, GuestCall, PartQuery, Printed, RunLimits, RunStatus, Side
 from querycad_sandbox import Sandbox
@@ -26,13 +26,13 @@ class Hearing:
             self.printed.set()
 
 
-def test_each_call_is_heard_when_it_begins_and_when_it_ends(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_each_call_is_heard_when_it_begins_and_when_it_ends(sandbox: Sandbox, finder: FakePartFinder) -> None:
     hearing = Hearing()
     code = (
         "a = find_parts('hole', sides=['top', 'left'])\nprint('seen', len(a))\n"
         "x = shape.width\nf = a[0].faces\nsolution = a[0].distance_to(a[1])"
     )
-    sandbox.run(code, segcad, control=RunControl(hearing))
+    sandbox.run(code, finder, control=RunControl(hearing))
     calls = [event for event in hearing.heard if isinstance(event, GuestCall)]
     answers = [event for event in hearing.heard if isinstance(event, GuestAnswer)]
     assert [(call.name, call.on, call.arguments) for call in calls] == [
@@ -47,18 +47,18 @@ def test_each_call_is_heard_when_it_begins_and_when_it_ends(sandbox: Sandbox, se
     assert [event.text for event in hearing.heard if isinstance(event, Printed)] == ["seen 3\n"]
 
 
-def test_an_error_of_a_call_is_heard(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_an_error_of_a_call_is_heard(sandbox: Sandbox, finder: FakePartFinder) -> None:
     hearing = Hearing()
-    sandbox.run("solution = find_parts('sprocket')", segcad, control=RunControl(hearing))
+    sandbox.run("solution = find_parts('sprocket')", finder, control=RunControl(hearing))
     answer = hearing.heard[-1]
     assert isinstance(answer, GuestAnswer)
     assert answer.error.startswith("not grounded: 'sprocket'")
 
 
-def test_printed_text_is_cut_while_it_is_heard(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_printed_text_is_cut_while_it_is_heard(sandbox: Sandbox, finder: FakePartFinder) -> None:
     hearing = Hearing()
     limits = RunLimits(output_bytes=1000, duration_s=0.3)
-    outcome = sandbox.run("while True:\n    print('a' * 300)", segcad, limits, control=RunControl(hearing))
+    outcome = sandbox.run("while True:\n    print('a' * 300)", finder, limits, control=RunControl(hearing))
     texts = [event.text for event in hearing.heard if isinstance(event, Printed)]
     assert "".join(texts) == outcome.printed
     assert len(outcome.printed) == 1000
@@ -74,7 +74,7 @@ def cancelled_when_it_prints(sandbox: Sandbox, code: str) -> RunStatus:
 
     canceller = threading.Thread(target=cancel)
     canceller.start()
-    outcome = sandbox.run(code, FakeSegCad(), RunLimits(duration_s=30), control=control)
+    outcome = sandbox.run(code, FakePartFinder(), RunLimits(duration_s=30), control=control)
     canceller.join()
     return outcome.status
 
@@ -89,20 +89,20 @@ def cancelled_when_it_prints(sandbox: Sandbox, code: str) -> RunStatus:
 )
 def test_a_program_that_computes_is_cancelled(sandbox: Sandbox, code: str) -> None:
     assert cancelled_when_it_prints(sandbox, code) is RunStatus.CANCELLED
-    assert sandbox.run("solution = 1", FakeSegCad()).value == 1
+    assert sandbox.run("solution = 1", FakePartFinder()).value == 1
 
 
-def test_a_run_that_was_cancelled_before_it_began_does_nothing(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_a_run_that_was_cancelled_before_it_began_does_nothing(sandbox: Sandbox, finder: FakePartFinder) -> None:
     control = RunControl()
     control.cancel()
-    outcome = sandbox.run("solution = len(find_parts('hole'))", segcad, control=control)
-    assert (outcome.status, outcome.message, segcad.calls) == (RunStatus.CANCELLED, "the run was cancelled", [])
+    outcome = sandbox.run("solution = len(find_parts('hole'))", finder, control=control)
+    assert (outcome.status, outcome.message, finder.calls) == (RunStatus.CANCELLED, "the run was cancelled", [])
 
 
 def test_a_run_in_segcad_is_cancelled_when_the_call_can_be(sandbox: Sandbox) -> None:
     control = RunControl()
 
-    class Stoppable(FakeSegCad):
+    class Stoppable(FakePartFinder):
         def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
             woken = threading.Event()
             with control.stopped_by(woken.set):
@@ -115,11 +115,11 @@ def test_a_run_in_segcad_is_cancelled_when_the_call_can_be(sandbox: Sandbox) -> 
     assert outcome.value is None
 
 
-def test_cancelling_a_run_that_ended_changes_nothing(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_cancelling_a_run_that_ended_changes_nothing(sandbox: Sandbox, finder: FakePartFinder) -> None:
     control = RunControl()
-    assert sandbox.run("solution = 1", segcad, control=control).value == 1
+    assert sandbox.run("solution = 1", finder, control=control).value == 1
     control.cancel()
-    assert sandbox.run("solution = 2", segcad).value == 2
+    assert sandbox.run("solution = 2", finder).value == 2
 
 
 def test_a_cancellation_kills_no_other_run(sandbox: Sandbox) -> None:
@@ -128,7 +128,7 @@ def test_a_cancellation_kills_no_other_run(sandbox: Sandbox) -> None:
 
     def others() -> None:
         while not stop.is_set():
-            statuses.append(sandbox.run("solution = sum(range(2000))", FakeSegCad()).status)
+            statuses.append(sandbox.run("solution = sum(range(2000))", FakePartFinder()).status)
 
     runner = threading.Thread(target=others)
     runner.start()

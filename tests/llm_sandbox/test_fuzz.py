@@ -6,7 +6,7 @@ import keyword
 
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from tests.llm_sandbox.conftest import FakeSegCad
+from tests.llm_sandbox.conftest import FakePartFinder
 from tests.llm_sandbox.hostile import FAMILIES
 
 from querycad_contracts import RunLimits, RunStatus
@@ -29,10 +29,10 @@ fuzzed = settings(
 
 
 def runs(sandbox: Sandbox, code: str) -> None:
-    outcome = sandbox.run(code, FakeSegCad(), LIMITS)
+    outcome = sandbox.run(code, FakePartFinder(), LIMITS)
     assert outcome.status in ENDS, outcome
     assert bool(outcome.message) == (outcome.status is not RunStatus.OK)
-    good = sandbox.run(GOOD, FakeSegCad())
+    good = sandbox.run(GOOD, FakePartFinder())
     assert (good.status, good.value) == (RunStatus.OK, [0.0025, 0.0025, 0.005])
 
 

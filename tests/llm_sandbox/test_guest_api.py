@@ -36,7 +36,7 @@ from querycad_sandbox.measures import (
 )
 
 if TYPE_CHECKING:
-    from tests.llm_sandbox.conftest import FakeSegCad
+    from tests.llm_sandbox.conftest import FakePartFinder
 
 STUB = ast.parse(files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8"))
 PRELUDE = ast.parse(
@@ -144,16 +144,16 @@ def test_every_function_of_the_stub_takes_the_same_arguments() -> None:
         assert len(with_default) == len(stubs[name].args.defaults)
 
 
-def test_every_name_of_the_stub_is_there_at_run_time(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_every_name_of_the_stub_is_there_at_run_time(sandbox: Sandbox, finder: FakePartFinder) -> None:
     classes = {node.name for node in STUB.body if isinstance(node, ast.ClassDef) and not node.bases}
     names = sorted(classes | functions(STUB).keys() | {"shape"})
-    assert sandbox.run(f"solution = len([{', '.join(names)}])", segcad).value == len(names)
+    assert sandbox.run(f"solution = len([{', '.join(names)}])", finder).value == len(names)
 
 
 def test_every_attribute_and_method_of_the_stub_passes_the_type_check_and_runs(
-    sandbox: Sandbox, segcad: FakeSegCad
+    sandbox: Sandbox, finder: FakePartFinder
 ) -> None:
-    segcad.known = [full_part()]
+    finder.known = [full_part()]
     reads = [f"part.{name}" for name in sorted(attributes("Part"))]
     calls = [
         "part.distance_to(part)",
@@ -164,7 +164,7 @@ def test_every_attribute_and_method_of_the_stub_passes_the_type_check_and_runs(
         "part.measures()",
     ]
     code = 'part = find_parts("hole")[0]\nsolution = len([' + ", ".join(reads + calls) + "])"
-    outcome = sandbox.run(code, segcad)
+    outcome = sandbox.run(code, finder)
     assert (outcome.status, outcome.value, outcome.message) == (RunStatus.OK, len(reads) + len(calls), "")
 
 
@@ -229,8 +229,8 @@ def test_corners_and_half_extents_follow_from_center_and_extents() -> None:
         ('solution = "radius" in find_parts("slot")[0].measures()', False),
     ],
 )
-def test_a_measure_that_is_absent_is_none(sandbox: Sandbox, segcad: FakeSegCad, code: str, value: Any) -> None:
-    outcome = sandbox.run(code, segcad)
+def test_a_measure_that_is_absent_is_none(sandbox: Sandbox, finder: FakePartFinder, code: str, value: Any) -> None:
+    outcome = sandbox.run(code, finder)
     assert (outcome.status, outcome.value) == (RunStatus.OK, value)
 
 
@@ -249,23 +249,23 @@ def test_a_measure_that_is_absent_is_none(sandbox: Sandbox, segcad: FakeSegCad, 
     ],
 )
 def test_who_reckons_with_an_absent_measure_is_told_which_and_what_there_is(
-    sandbox: Sandbox, segcad: FakeSegCad, code: str, message: str
+    sandbox: Sandbox, finder: FakePartFinder, code: str, message: str
 ) -> None:
-    outcome = sandbox.run(code, segcad)
+    outcome = sandbox.run(code, finder)
     assert message in outcome.message
     assert outcome.status in (RunStatus.RAISED, RunStatus.REFUSED)
 
 
 @pytest.mark.parametrize("code", ['find_parts("slot")[0].radius', '[p.radius for p in find_parts("slot")]'])
-def test_an_answer_of_a_type_is_no_absent_measure(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
-    outcome = sandbox.run(f"solution = {code}", segcad, expects=AnswerType.LENGTH)
+def test_an_answer_of_a_type_is_no_absent_measure(sandbox: Sandbox, finder: FakePartFinder, code: str) -> None:
+    outcome = sandbox.run(f"solution = {code}", finder, expects=AnswerType.LENGTH)
     assert (outcome.status, outcome.value) == (RunStatus.RAISED, None)
     assert outcome.missing_attribute == MissingAttribute(part="slot-1", attribute="radius")
 
 
-def test_a_failing_line_is_told_with_its_number(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_a_failing_line_is_told_with_its_number(sandbox: Sandbox, finder: FakePartFinder) -> None:
     code = '\nparts = find_parts("slot")\nsolution = [2 * p.radius for p in parts]'
-    assert sandbox.run(code, segcad).message.endswith("(line 3: solution = [2 * p.radius for p in parts])")
+    assert sandbox.run(code, finder).message.endswith("(line 3: solution = [2 * p.radius for p in parts])")
 
 
 @pytest.mark.parametrize(
@@ -292,45 +292,47 @@ def test_a_failing_line_is_told_with_its_number(sandbox: Sandbox, segcad: FakeSe
         ("distance((0.0, 0.0), (1.0, 1.0))", "TypeError: distance() takes two points"),
     ],
 )
-def test_a_wrong_argument_is_told_to_the_program(sandbox: Sandbox, segcad: FakeSegCad, call: str, message: str) -> None:
-    outcome = sandbox.run(f"solution = {call}", segcad)
+def test_a_wrong_argument_is_told_to_the_program(
+    sandbox: Sandbox, finder: FakePartFinder, call: str, message: str
+) -> None:
+    outcome = sandbox.run(f"solution = {call}", finder)
     assert outcome.status is RunStatus.RAISED
     assert outcome.message.startswith(message)
-    assert sandbox.run(f"try:\n    {call}\nexcept Exception:\n    solution = 1", segcad).value == 1
+    assert sandbox.run(f"try:\n    {call}\nexcept Exception:\n    solution = 1", finder).value == 1
 
 
-def test_sides_reach_segcad_in_one_order_each_once(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_sides_reach_the_finder_in_one_order_each_once(sandbox: Sandbox, finder: FakePartFinder) -> None:
     code = (
         'for s in (["left", "top", "left"], ("top", "left"), {"left", "top"}):\n    find_parts("boss", s)\nsolution = 1'
     )
-    outcome = sandbox.run(code, segcad)
-    assert segcad.calls == [("find_parts", ("boss", (Side.TOP, Side.LEFT)))]
+    outcome = sandbox.run(code, finder)
+    assert finder.calls == [("find_parts", ("boss", (Side.TOP, Side.LEFT)))]
     assert outcome.groundings[0].sides == (Side.TOP, Side.LEFT)
 
 
-def test_a_repeated_call_is_answered_from_the_first(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    outcome = sandbox.run('solution = sum(len(find_parts("hole")) for i in range(50))', segcad)
-    assert (outcome.value, len(segcad.calls), len(outcome.groundings)) == (150, 1, 1)
+def test_a_repeated_call_is_answered_from_the_first(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    outcome = sandbox.run('solution = sum(len(find_parts("hole")) for i in range(50))', finder)
+    assert (outcome.value, len(finder.calls), len(outcome.groundings)) == (150, 1, 1)
 
 
-def test_segcad_is_asked_only_for_what_is_read(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    sandbox.run("solution = 1", segcad)
-    assert segcad.calls == []
-    sandbox.run("solution = shape.width + shape.depth", segcad)
-    assert segcad.calls == [("shape", None)]
-    segcad.calls.clear()
-    sandbox.run('p = find_parts("hole")[0]\nsolution = [len(p.faces), len(p.faces)]', segcad)
-    assert segcad.calls == [("find_parts", ("hole", None)), ("faces", (1, 2))]
+def test_the_finder_is_asked_only_for_what_is_read(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    sandbox.run("solution = 1", finder)
+    assert finder.calls == []
+    sandbox.run("solution = shape.width + shape.depth", finder)
+    assert finder.calls == [("shape", None)]
+    finder.calls.clear()
+    sandbox.run('p = find_parts("hole")[0]\nsolution = [len(p.faces), len(p.faces)]', finder)
+    assert finder.calls == [("find_parts", ("hole", None)), ("faces", (1, 2))]
 
 
-def test_distances_between_points_ask_nobody(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_distances_between_points_ask_nobody(sandbox: Sandbox, finder: FakePartFinder) -> None:
     code = 'p = find_parts("hole")[0]\nsolution = sum(distance(p.center, shape.center) for i in range(3000))'
-    outcome = sandbox.run(code, segcad, RunLimits(host_calls=10))
+    outcome = sandbox.run(code, finder, RunLimits(host_calls=10))
     assert outcome.status is RunStatus.OK
 
 
-def test_groundings_are_kept_in_the_order_of_the_calls(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    outcome = sandbox.run('solution = len(find_parts("slot")) + len(find_parts("hole"))', segcad)
+def test_groundings_are_kept_in_the_order_of_the_calls(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    outcome = sandbox.run('solution = len(find_parts("slot")) + len(find_parts("hole"))', finder)
     assert [g.description for g in outcome.groundings] == ["slot", "hole"]
 
 
@@ -344,8 +346,10 @@ def test_groundings_are_kept_in_the_order_of_the_calls(sandbox: Sandbox, segcad:
         'solution = [1]\nsolution = sorted([1, 2], key=lambda v: len(find_parts("sprocket")))',
     ],
 )
-def test_a_description_that_is_not_understood_ends_the_program(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
-    outcome = sandbox.run(code, segcad, RunLimits(duration_s=0.3))
+def test_a_description_that_is_not_understood_ends_the_program(
+    sandbox: Sandbox, finder: FakePartFinder, code: str
+) -> None:
+    outcome = sandbox.run(code, finder, RunLimits(duration_s=0.3))
     assert (outcome.status, outcome.value) == (RunStatus.RAISED, None)
     assert outcome.message == (
         "not grounded: 'sprocket': no such word: sprocket; the nearest known terms are: hole, boss"
@@ -353,8 +357,8 @@ def test_a_description_that_is_not_understood_ends_the_program(sandbox: Sandbox,
     assert not outcome.groundings[-1].understood
 
 
-def test_a_part_not_there_is_an_empty_list_and_no_end(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    outcome = sandbox.run('solution = len(find_parts("gear"))', segcad)
+def test_a_part_not_there_is_an_empty_list_and_no_end(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    outcome = sandbox.run('solution = len(find_parts("gear"))', finder)
     assert (outcome.status, outcome.value, outcome.groundings[0].understood) == (RunStatus.OK, 0, True)
 
 
@@ -370,15 +374,15 @@ def test_a_part_not_there_is_an_empty_list_and_no_end(sandbox: Sandbox, segcad: 
     ],
 )
 def test_a_failure_of_segcad_is_raised_and_not_the_programs(
-    sandbox: Sandbox, segcad: FakeSegCad, monkeypatch: pytest.MonkeyPatch, port_method: str, code: str
+    sandbox: Sandbox, finder: FakePartFinder, monkeypatch: pytest.MonkeyPatch, port_method: str, code: str
 ) -> None:
     def fail(*args: Any) -> Any:
         raise ConnectionError("the worker is gone")
 
-    monkeypatch.setattr(segcad, port_method, fail)
+    monkeypatch.setattr(finder, port_method, fail)
     with pytest.raises(ConnectionError, match="the worker is gone"):
-        sandbox.run(code, segcad)
-    assert sandbox.run("solution = 1", segcad).value == 1
+        sandbox.run(code, finder)
+    assert sandbox.run("solution = 1", finder).value == 1
 
 
 def test_faces_come_as_values_and_enums_as_their_words() -> None:
@@ -388,16 +392,16 @@ def test_faces_come_as_values_and_enums_as_their_words() -> None:
     assert not any(isinstance(value, Side) for value in part_measures(full_part())["sides"])
 
 
-def test_in_a_pattern_is_what_belongs_to_it_and_not_what_lies_within(segcad: FakeSegCad) -> None:
+def test_in_a_pattern_is_what_belongs_to_it_and_not_what_lies_within(finder: FakePartFinder) -> None:
     circle = make_part("pattern-1", children=("hole-1",), extents=(0.1, 0.1, 0.01))
-    guest = Guest(segcad, RunControl(), 2**20)
+    guest = Guest(finder, RunControl(), 2**20)
     assert guest.is_in(make_part("hole-1"), circle)
     assert not guest.is_in(make_part("hole-2"), circle)
     assert guest.is_in(make_part("boss-1"), circle)
 
 
-def test_teeth_that_mesh_are_each_in_their_own_gear(segcad: FakeSegCad) -> None:
+def test_teeth_that_mesh_are_each_in_their_own_gear(finder: FakePartFinder) -> None:
     wheel = make_part("gear-1", kind="gear", children=("tooth-1.1",), extents=(0.1, 0.1, 0.01))
-    guest = Guest(segcad, RunControl(), 2**20)
+    guest = Guest(finder, RunControl(), 2**20)
     assert guest.is_in(make_part("tooth-1.1", kind="tooth"), wheel)
     assert not guest.is_in(make_part("tooth-2.1", kind="tooth"), wheel)

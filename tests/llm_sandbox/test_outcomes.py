@@ -12,7 +12,7 @@ from time import sleep
 
 import psutil
 import pytest
-from tests.llm_sandbox.conftest import FakeSegCad
+from tests.llm_sandbox.conftest import FakePartFinder
 
 from querycad_contracts import (
     AnswerType,
@@ -60,17 +60,17 @@ def own_workers() -> Iterator[OwnWorkers]:
 
 
 @pytest.mark.parametrize("code", ["x = 1", "pass", "", "# nothing", "def f():\n    solution = 1\nf()", "solution_ = 1"])
-def test_a_program_that_assigns_no_solution_raised(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
-    outcome = sandbox.run(code, segcad)
+def test_a_program_that_assigns_no_solution_raised(sandbox: Sandbox, finder: FakePartFinder, code: str) -> None:
+    outcome = sandbox.run(code, finder)
     assert (outcome.status, outcome.value) == (RAISED, None)
     assert outcome.message == "the program assigned nothing to `solution`"
 
 
-def test_the_expected_type_is_told_when_there_is_no_result(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    assert sandbox.run("x = 1", segcad, expects=AnswerType.LENGTHS).message.endswith(
+def test_the_expected_type_is_told_when_there_is_no_result(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    assert sandbox.run("x = 1", finder, expects=AnswerType.LENGTHS).message.endswith(
         "(a value of type 'lengths' is expected)"
     )
-    assert sandbox.run("solution = {}", segcad, expects=AnswerType.COUNT).message.endswith(
+    assert sandbox.run("solution = {}", finder, expects=AnswerType.COUNT).message.endswith(
         "(a value of type 'count' is expected)"
     )
 
@@ -86,27 +86,27 @@ def test_the_expected_type_is_told_when_there_is_no_result(sandbox: Sandbox, seg
     ],
 )  # fmt: skip
 def test_a_limit_ends_the_program_and_not_the_sandbox(
-    sandbox: Sandbox, segcad: FakeSegCad, limits: RunLimits, code: str, status: RunStatus
+    sandbox: Sandbox, finder: FakePartFinder, limits: RunLimits, code: str, status: RunStatus
 ) -> None:
-    assert sandbox.run(code, segcad, limits).status is status
-    assert sandbox.run(code, segcad, RunLimits(duration_s=0.1)).status is (TIMED_OUT if status is TIMED_OUT else OK)
+    assert sandbox.run(code, finder, limits).status is status
+    assert sandbox.run(code, finder, RunLimits(duration_s=0.1)).status is (TIMED_OUT if status is TIMED_OUT else OK)
 
 
-def test_the_number_of_calls_is_exact(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_the_number_of_calls_is_exact(sandbox: Sandbox, finder: FakePartFinder) -> None:
     code = 'p = find_parts("hole")[0]\nsolution = [p.edge_distance() for i in range(3)]'
-    assert sandbox.run(code, segcad, RunLimits(host_calls=4)).status is OK
-    assert sandbox.run(code, segcad, RunLimits(host_calls=3)).status is REFUSED
+    assert sandbox.run(code, finder, RunLimits(host_calls=4)).status is OK
+    assert sandbox.run(code, finder, RunLimits(host_calls=3)).status is REFUSED
 
 
-def test_too_many_different_descriptions_are_refused(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_too_many_different_descriptions_are_refused(sandbox: Sandbox, finder: FakePartFinder) -> None:
     code = f'solution = [len(find_parts(f"hole {{i}}")) for i in range({DESCRIPTIONS + 1})]'
-    outcome = sandbox.run(code, segcad)
+    outcome = sandbox.run(code, finder)
     assert outcome.status is REFUSED
-    assert len(outcome.groundings) == len(segcad.calls) == DESCRIPTIONS
+    assert len(outcome.groundings) == len(finder.calls) == DESCRIPTIONS
 
 
 def test_the_time_that_segcad_takes_is_not_the_programs(sandbox: Sandbox) -> None:
-    class Slow(FakeSegCad):
+    class Slow(FakePartFinder):
         def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
             sleep(1.5)
             return super().find_parts(description, sides)
@@ -115,7 +115,7 @@ def test_the_time_that_segcad_takes_is_not_the_programs(sandbox: Sandbox) -> Non
 
 
 def test_a_measure_that_parts_have_not_is_the_programs_error_which_it_may_catch(sandbox: Sandbox) -> None:
-    class Unmeasured(FakeSegCad):
+    class Unmeasured(FakePartFinder):
         def edge_distance(self, part: str) -> float:
             raise NoSuchMeasure(f"{part} lies in no plane face")
 
@@ -126,20 +126,20 @@ def test_a_measure_that_parts_have_not_is_the_programs_error_which_it_may_catch(
     assert sandbox.run(caught, Unmeasured()).value == 0.5
 
 
-def test_printed_text_is_kept_and_cut_at_the_limit(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    assert sandbox.run('print("é", 1)\nprint(2, end="")\nsolution = 0', segcad).printed == "é 1\n2"
-    outcome = sandbox.run('print("é" * 5000)\nprint("x")\nsolution = 0', segcad, RunLimits(output_bytes=101))
+def test_printed_text_is_kept_and_cut_at_the_limit(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    assert sandbox.run('print("é", 1)\nprint(2, end="")\nsolution = 0', finder).printed == "é 1\n2"
+    outcome = sandbox.run('print("é" * 5000)\nprint("x")\nsolution = 0', finder, RunLimits(output_bytes=101))
     assert (outcome.status, outcome.printed) == (OK, "é" * 50)
 
 
-def test_what_was_printed_before_a_failure_is_kept(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    assert sandbox.run('print("so far")\nsolution = 1 / 0', segcad).printed == "so far\n"
+def test_what_was_printed_before_a_failure_is_kept(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    assert sandbox.run('print("so far")\nsolution = 1 / 0', finder).printed == "so far\n"
 
 
 def test_nothing_reaches_the_output_of_the_host(
-    sandbox: Sandbox, segcad: FakeSegCad, capfd: pytest.CaptureFixture[str]
+    sandbox: Sandbox, finder: FakePartFinder, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    sandbox.run('import sys\nprint("a")\nprint("b", file=sys.stderr)\nsolution = 1', segcad)
+    sandbox.run('import sys\nprint("a")\nprint("b", file=sys.stderr)\nsolution = 1', finder)
     assert capfd.readouterr() == ("", "")
 
 
@@ -155,9 +155,9 @@ def test_nothing_reaches_the_output_of_the_host(
     ],
 )
 def test_a_measure_that_is_not_there_is_told_as_data(
-    sandbox: Sandbox, segcad: FakeSegCad, code: str, part: str, attribute: str
+    sandbox: Sandbox, finder: FakePartFinder, code: str, part: str, attribute: str
 ) -> None:
-    outcome = sandbox.run(code, segcad)
+    outcome = sandbox.run(code, finder)
     assert outcome.missing_attribute == MissingAttribute(part=part, attribute=attribute)
     assert not outcome.empty_selection
 
@@ -172,16 +172,16 @@ def test_a_measure_that_is_not_there_is_told_as_data(
         'solution = sorted(find_parts("boss"), key=lambda p: p.radius)[-2]',
     ],
 )
-def test_a_choice_among_too_few_is_told_as_data(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
-    outcome = sandbox.run(code, segcad)
+def test_a_choice_among_too_few_is_told_as_data(sandbox: Sandbox, finder: FakePartFinder, code: str) -> None:
+    outcome = sandbox.run(code, finder)
     assert (outcome.status, outcome.empty_selection, outcome.missing_attribute) == (RunStatus.RAISED, True, None)
 
 
 @pytest.mark.parametrize(
     "code", ["solution = 1 / 0", "solution = [].radius", 'raise ValueError("it is empty")', 'solution = {}["a"]']
 )
-def test_another_error_is_neither(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
-    outcome = sandbox.run(code, segcad, check=False)
+def test_another_error_is_neither(sandbox: Sandbox, finder: FakePartFinder, code: str) -> None:
+    outcome = sandbox.run(code, finder, check=False)
     assert (outcome.status, outcome.empty_selection, outcome.missing_attribute) == (RunStatus.RAISED, False, None)
 
 
@@ -213,22 +213,22 @@ def test_another_error_is_neither(sandbox: Sandbox, segcad: FakeSegCad, code: st
         ("solution = shape.width", []),
     ],
 )  # fmt: skip
-def test_the_parts_that_a_result_rests_on(sandbox: Sandbox, segcad: FakeSegCad, code: str, used: list[str]) -> None:
-    outcome = sandbox.run(code, segcad)
+def test_the_parts_that_a_result_rests_on(sandbox: Sandbox, finder: FakePartFinder, code: str, used: list[str]) -> None:
+    outcome = sandbox.run(code, finder)
     assert (outcome.message, list(outcome.used_parts)) == ("", used)
 
 
-def test_a_program_that_failed_rests_on_nothing(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    outcome = sandbox.run('parts = find_parts("hole")\nsolution = 1 / 0', segcad)
+def test_a_program_that_failed_rests_on_nothing(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    outcome = sandbox.run('parts = find_parts("hole")\nsolution = 1 / 0', finder)
     assert (outcome.used_parts, len(outcome.groundings)) == ((), 1)
 
 
-def test_a_program_gives_the_same_answer_whenever_it_is_run(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_a_program_gives_the_same_answer_whenever_it_is_run(sandbox: Sandbox, finder: FakePartFinder) -> None:
     code = (
         "import random, time, datetime\n"
         "solution = [random.random(), time.time(), str(datetime.datetime.now()), hash('a'), random.Random().random()]"
     )
-    first, second = sandbox.run(code, segcad), sandbox.run(code, segcad)
+    first, second = sandbox.run(code, finder), sandbox.run(code, finder)
     assert first.status is OK
     assert first.value == second.value
 
@@ -238,62 +238,65 @@ def test_nothing_of_one_run_is_left_in_the_next(own_sandbox: Sandbox) -> None:
         'leftover = find_parts("hole")\nmin = max = None\nimport math\ndef distance(a, b):\n    return 42\nsolution = 1'
     )
     for _ in range(3):
-        assert own_sandbox.run(greedy, FakeSegCad("other-")).status is OK
+        assert own_sandbox.run(greedy, FakePartFinder("other-")).status is OK
         for name in ("leftover", "math"):
-            hidden = own_sandbox.run(f'solution = eval("{name}")', FakeSegCad())
+            hidden = own_sandbox.run(f'solution = eval("{name}")', FakePartFinder())
             assert (hidden.status, hidden.message.partition(" (")[0]) == (
                 RAISED,
                 f"NameError: name '{name}' is not defined",
             )
-        assert own_sandbox.run("solution = [min(2, 1), distance((0, 0, 0), (3, 4, 0))]", FakeSegCad()).value == [1, 5.0]
+        assert own_sandbox.run("solution = [min(2, 1), distance((0, 0, 0), (3, 4, 0))]", FakePartFinder()).value == [
+            1,
+            5.0,
+        ]
 
 
 def test_runs_of_two_models_at_once_see_their_own_parts(sandbox: Sandbox) -> None:
     code = 'solution = [find_parts("hole")[0].id for i in range(20)] + [p.id for p in find_parts("boss")]'
-    models = [FakeSegCad(f"m{i}-") for i in range(12)]
+    models = [FakePartFinder(f"m{i}-") for i in range(12)]
     with ThreadPoolExecutor(6) as threads:
         outcomes = list(threads.map(lambda model: sandbox.run(code, model), models))
     assert [o.value for o in outcomes] == [[f"m{i}-hole-1"] * 20 + [f"m{i}-boss-1"] for i in range(12)]
 
 
 def test_a_worker_killed_in_a_run_is_a_crash_and_is_replaced(own_workers: OwnWorkers) -> None:
-    class Killer(FakeSegCad):
+    class Killer(FakePartFinder):
         def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
             own_workers.kill()
             return super().find_parts(description, sides)
 
     outcome = own_workers.sandbox.run('solution = len(find_parts("hole"))', Killer())
     assert (outcome.status, outcome.message) == (RunStatus.CRASHED, "the interpreter crashed")
-    assert own_workers.sandbox.run('solution = len(find_parts("hole"))', FakeSegCad()).value == 3
+    assert own_workers.sandbox.run('solution = len(find_parts("hole"))', FakePartFinder()).value == 3
 
 
 def test_workers_killed_between_runs_are_replaced_unnoticed(own_workers: OwnWorkers) -> None:
     for _ in range(2):
-        assert own_workers.sandbox.run('solution = len(find_parts("hole"))', FakeSegCad()).value == 3
+        assert own_workers.sandbox.run('solution = len(find_parts("hole"))', FakePartFinder()).value == 3
         own_workers.kill()
 
 
-def test_processes_start_with_the_first_run_and_end_with_close(segcad: FakeSegCad) -> None:
+def test_processes_start_with_the_first_run_and_end_with_close(finder: FakePartFinder) -> None:
     before = workers()
     made = Sandbox()
     assert workers() == before
     made.warm()
-    assert made.run("solution = 1", segcad).value == 1
+    assert made.run("solution = 1", finder).value == 1
     assert workers() > before
     made.close()
     made.close()
     assert workers() & before == before
     with pytest.raises(RuntimeError, match="closed"):
-        made.run("solution = 1", segcad)
+        made.run("solution = 1", finder)
 
 
-def test_a_sandbox_never_used_closes(segcad: FakeSegCad) -> None:
+def test_a_sandbox_never_used_closes(finder: FakePartFinder) -> None:
     with Sandbox():
         pass
 
 
-def test_duration_is_told(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    assert sandbox.run("while True:\n    pass", segcad, SHORT).duration_ms >= 200
+def test_duration_is_told(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    assert sandbox.run("while True:\n    pass", finder, SHORT).duration_ms >= 200
 
 
 def workers() -> set[int]:

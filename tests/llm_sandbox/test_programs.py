@@ -11,7 +11,7 @@ from querycad_contracts import RunStatus
 from querycad_sandbox import Sandbox
 
 if TYPE_CHECKING:
-    from tests.llm_sandbox.conftest import FakeSegCad
+    from tests.llm_sandbox.conftest import FakePartFinder
 
 PROGRAMS: list[tuple[str, Any]] = [
     ('solution = [p.radius for p in find_parts("hole")]', [0.0025, 0.0025, 0.005]),
@@ -104,8 +104,8 @@ PROGRAMS: list[tuple[str, Any]] = [
 
 
 @pytest.mark.parametrize(("code", "answer"), PROGRAMS, ids=[code[:60] for code, _ in PROGRAMS])
-def test_an_ordinary_program_gives_its_answer(sandbox: Sandbox, segcad: FakeSegCad, code: str, answer: Any) -> None:
-    outcome = sandbox.run(code, segcad)
+def test_an_ordinary_program_gives_its_answer(sandbox: Sandbox, finder: FakePartFinder, code: str, answer: Any) -> None:
+    outcome = sandbox.run(code, finder)
     assert (outcome.status, outcome.message) == (RunStatus.OK, "")
     expected = pytest.approx(answer) if isinstance(answer, float | list) and not _has_dicts(answer) else answer
     assert outcome.value == expected
@@ -141,8 +141,8 @@ def _has_dicts(answer: Any) -> bool:
         "[next(i) + next(i) for i in [iter([1, 2, 3])]]",
     ],
 )
-def test_builtins_with_a_key_behave_as_in_python(sandbox: Sandbox, segcad: FakeSegCad, expression: str) -> None:
-    outcome = sandbox.run(f"solution = {expression}", segcad)
+def test_builtins_with_a_key_behave_as_in_python(sandbox: Sandbox, finder: FakePartFinder, expression: str) -> None:
+    outcome = sandbox.run(f"solution = {expression}", finder)
     expected = eval(expression)  # noqa: S307 - one of the expressions above
     assert outcome.message == ""
     assert outcome.value == (

@@ -22,7 +22,7 @@ from querycad_contracts import (
     TaskOutcome,
 )
 from querycad_sandbox.control import RunControl
-from querycad_sandbox.remote import TRIES, QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
+from querycad_sandbox.remote import TRIES, QueueCaller, RemotePartFinder, SegworkerFailed, SegworkerUnavailable
 from querycad_sandbox.settings import SandboxSettings
 
 MODEL = "0123456789abcdef" * 4
@@ -52,7 +52,7 @@ def failing(kind: TaskFailureKind) -> dict[str, Any]:
 def test_a_call_is_a_task_with_the_model_in_its_payload() -> None:
     grounding = {"description": "hole", "sides": ["top"], "parts": [], "understood": True}
     call = Recorder(value(grounding))
-    found = RemoteSegCad(MODEL, call, SETTINGS).find_parts("hole", [Side.TOP])
+    found = RemotePartFinder(MODEL, call, SETTINGS).find_parts("hole", [Side.TOP])
     assert found.sides == (Side.TOP,)
     ((name, payload, timeout_s),) = call.calls
     assert (name, timeout_s) == (TaskName.FIND_PARTS, 3.0)
@@ -62,7 +62,7 @@ def test_a_call_is_a_task_with_the_model_in_its_payload() -> None:
 
 def test_words_are_grounded_by_the_evidence_that_was_asked_for_and_looking_is_waited_for() -> None:
     call = Recorder(value({"description": "logo", "sides": None, "parts": [], "understood": True}))
-    RemoteSegCad(MODEL, call, SETTINGS, grounding=GroundedBy.FUSED).find_parts("logo")
+    RemotePartFinder(MODEL, call, SETTINGS, grounding=GroundedBy.FUSED).find_parts("logo")
     ((_, payload, timeout_s),) = call.calls
     assert payload["grounding"] == "fused"
     assert timeout_s == SETTINGS.measure_s
@@ -70,38 +70,38 @@ def test_words_are_grounded_by_the_evidence_that_was_asked_for_and_looking_is_wa
 
 def test_a_measurement_is_waited_for_longer() -> None:
     call = Recorder(value(0.25))
-    segcad = RemoteSegCad(MODEL, call, SETTINGS)
-    assert (segcad.distance("a", "b"), segcad.edge_distance("a")) == (0.25, 0.25)
+    finder = RemotePartFinder(MODEL, call, SETTINGS)
+    assert (finder.distance("a", "b"), finder.edge_distance("a")) == (0.25, 0.25)
     assert [timeout for _, _, timeout in call.calls] == [70.0, 70.0]
 
 
 def test_a_distance_of_zero_is_a_value() -> None:
-    assert RemoteSegCad(MODEL, Recorder(value(0.0)), SETTINGS).distance("a", "b") == 0.0
+    assert RemotePartFinder(MODEL, Recorder(value(0.0)), SETTINGS).distance("a", "b") == 0.0
 
 
 def test_an_unknown_id_is_the_key_error_of_the_port() -> None:
     with pytest.raises(KeyError, match="because"):
-        RemoteSegCad(MODEL, Recorder(failing(TaskFailureKind.UNKNOWN_ID)), SETTINGS).faces([1])
+        RemotePartFinder(MODEL, Recorder(failing(TaskFailureKind.UNKNOWN_ID)), SETTINGS).faces([1])
 
 
 def test_a_measure_that_parts_have_not_is_the_error_of_the_port() -> None:
     with pytest.raises(NoSuchMeasure, match="because"):
-        RemoteSegCad(MODEL, Recorder(failing(TaskFailureKind.NO_MEASURE)), SETTINGS).edge_distance("a")
+        RemotePartFinder(MODEL, Recorder(failing(TaskFailureKind.NO_MEASURE)), SETTINGS).edge_distance("a")
 
 
 def test_any_other_failure_tells_why() -> None:
-    with pytest.raises(SegCadFailed, match="because"):
-        RemoteSegCad(MODEL, Recorder(failing(TaskFailureKind.FILE)), SETTINGS).shape()
+    with pytest.raises(SegworkerFailed, match="because"):
+        RemotePartFinder(MODEL, Recorder(failing(TaskFailureKind.FILE)), SETTINGS).shape()
 
 
 def test_an_answer_with_neither_value_nor_reason_is_a_failure() -> None:
-    with pytest.raises(SegCadFailed, match="neither"):
-        RemoteSegCad(MODEL, Recorder(value(None)), SETTINGS).shape()
+    with pytest.raises(SegworkerFailed, match="neither"):
+        RemotePartFinder(MODEL, Recorder(value(None)), SETTINGS).shape()
 
 
 def test_without_a_segworker_a_call_is_given_up(redis_url: str) -> None:
     call = QueueCaller(redis_url)
-    with pytest.raises(SegCadUnavailable):
+    with pytest.raises(SegworkerUnavailable):
         call(TaskName.SHAPE, ModelTask(model=MODEL), 0.1, RunControl())
     call.close()
 
@@ -113,7 +113,7 @@ def test_without_a_segworker_a_call_is_given_up(redis_url: str) -> None:
 def test_looking_keeps_no_quick_call_waiting(redis_url: str, grounding: GroundedBy, queue: str) -> None:
     call = QueueCaller(redis_url)
     task = FindPartsTask(model=MODEL, description="logo", grounding=grounding)
-    with pytest.raises(SegCadUnavailable):
+    with pytest.raises(SegworkerUnavailable):
         call(TaskName.FIND_PARTS, task, 0.1, RunControl())
     call.close()
     with Redis.from_url(redis_url, decode_responses=True) as redis:
@@ -122,7 +122,7 @@ def test_looking_keeps_no_quick_call_waiting(redis_url: str, grounding: Grounded
 
 def test_without_a_broker_a_call_is_given_up() -> None:
     call = QueueCaller("redis://127.0.0.1:1/0")
-    with pytest.raises(SegCadUnavailable):
+    with pytest.raises(SegworkerUnavailable):
         call(TaskName.SHAPE, ModelTask(model=MODEL), 0.1, RunControl())
     call.close()
 
@@ -135,6 +135,6 @@ def test_all_parts_come_with_one_call() -> None:
         return json.dumps(value({"items": parts, "total": len(parts)}))
 
     calls: list[tuple[TaskName, ModelTask]] = []
-    found = RemoteSegCad(MODEL, call, SETTINGS).parts()
+    found = RemotePartFinder(MODEL, call, SETTINGS).parts()
     assert [part.id for part in found] == [f"hole-{i}" for i in range(2500)]
     assert calls == [(TaskName.PARTS, PartsTask(model=MODEL))]

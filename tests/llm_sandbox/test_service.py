@@ -12,7 +12,7 @@ import pytest
 from querycad_contracts import ModelTask, RunOutcome, RunStatus, TaskFailure, TaskFailureKind, TaskName, TaskOutcome
 from querycad_sandbox.app import BODY_BYTES, make_app
 from querycad_sandbox.control import RunControl
-from querycad_sandbox.remote import SegCadUnavailable
+from querycad_sandbox.remote import SegworkerUnavailable
 from querycad_sandbox.settings import SandboxSettings
 
 MODEL = "0123456789abcdef" * 4
@@ -33,7 +33,7 @@ class Queue:
 
     def __call__(self, name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> str:
         if self.answer is None:
-            raise SegCadUnavailable("no segworker answered")
+            raise SegworkerUnavailable("no segworker answered")
         return json.dumps(self.answer)
 
 

@@ -7,7 +7,7 @@ import random
 from typing import Any
 
 import pytest
-from tests.llm_sandbox.conftest import FakeSegCad, make_face, make_part
+from tests.llm_sandbox.conftest import FakePartFinder, make_face, make_part
 
 from querycad_contracts import Face, Outline, Part, RunStatus
 from querycad_sandbox import Sandbox
@@ -17,7 +17,7 @@ from querycad_sandbox.rewriting import rewritten
 UP, RIGHT = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
 
 
-class Bodies(FakeSegCad):
+class Bodies(FakePartFinder):
     """Three bodies along x, the first and second 2 mm into each other, the second and third side by side."""
 
     def __init__(self) -> None:
@@ -35,7 +35,7 @@ class Bodies(FakeSegCad):
         return 2e-7 if {part_a, part_b} == {"body-1", "body-2"} else 1e-13
 
 
-class Boxes(FakeSegCad):
+class Boxes(FakePartFinder):
     """Parts that are boxes of many sizes, some within others, and how far these are apart."""
 
     def __init__(self) -> None:
@@ -60,8 +60,8 @@ class Boxes(FakeSegCad):
         )
 
 
-def value(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> Any:
-    outcome = sandbox.run(f"solution = {code}" if "solution" not in code else code, segcad)
+def value(sandbox: Sandbox, finder: FakePartFinder, code: str) -> Any:
+    outcome = sandbox.run(f"solution = {code}" if "solution" not in code else code, finder)
     assert (outcome.status, outcome.message) == (RunStatus.OK, "")
     return outcome.value
 
@@ -84,41 +84,41 @@ def value(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> Any:
         ("on(parts(kind='hole'), parts(kind='slot')[0])", ["hole-1", "hole-2", "hole-3"]),
     ],
 )
-def test_parts_are_those_that_are_so(sandbox: Sandbox, segcad: FakeSegCad, call: str, ids: list[str]) -> None:
-    assert value(sandbox, segcad, f"[p.id for p in {call}]") == ids
+def test_parts_are_those_that_are_so(sandbox: Sandbox, finder: FakePartFinder, call: str, ids: list[str]) -> None:
+    assert value(sandbox, finder, f"[p.id for p in {call}]") == ids
 
 
 def test_bodies_overlap_where_they_share_more_than_a_cube_of_a_tenth_of_a_millimetre(sandbox: Sandbox) -> None:
     """Three bodies in a row, each 10 mm long: 1 reaches into 2, and 3 only touches 2."""
-    segcad = Bodies()
+    finder = Bodies()
     pairs = "[[a.id, b.id] for a, b in overlaps({})]"
-    assert value(sandbox, segcad, pairs.format("parts(kind='body')")) == [["body-1", "body-2"]]
-    assert value(sandbox, segcad, pairs.format("parts(kind='body')[:1], parts(kind='body')[1:]")) == [
+    assert value(sandbox, finder, pairs.format("parts(kind='body')")) == [["body-1", "body-2"]]
+    assert value(sandbox, finder, pairs.format("parts(kind='body')[:1], parts(kind='body')[1:]")) == [
         ["body-1", "body-2"]
     ]
-    assert value(sandbox, segcad, pairs.format("parts(kind='body')[1:]")) == []
-    assert value(sandbox, segcad, "parts(kind='body')[0].overlap_with(parts(kind='body')[1])") == 2e-7
-    assert ("body-1", "body-3") not in segcad.asked, "their boxes are apart"
+    assert value(sandbox, finder, pairs.format("parts(kind='body')[1:]")) == []
+    assert value(sandbox, finder, "parts(kind='body')[0].overlap_with(parts(kind='body')[1])") == 2e-7
+    assert ("body-1", "body-3") not in finder.asked, "their boxes are apart"
 
 
-def test_only_closed_bodies_can_overlap(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    outcome = sandbox.run("solution = overlaps(parts(kind='hole')[:2] + parts(kind='hole')[:2])", segcad)
+def test_only_closed_bodies_can_overlap(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    outcome = sandbox.run("solution = overlaps(parts(kind='hole')[:2] + parts(kind='hole')[:2])", finder)
     assert outcome.status is RunStatus.OK  # none of their boxes meet, but a hole and itself, which is one part
-    outcome = sandbox.run("solution = parts(kind='hole')[0].overlap_with(parts(kind='hole')[1])", segcad)
+    outcome = sandbox.run("solution = parts(kind='hole')[0].overlap_with(parts(kind='hole')[1])", finder)
     assert outcome.status is RunStatus.RAISED
     assert "takes bodies" in outcome.message
 
 
-def test_the_nearest_pair_comes_first_and_one_part_has_no_neighbour(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    pairs = value(sandbox, segcad, "[[a.id, b.id] for a, b in nearest(parts(kind='hole'))]")
-    gaps = value(sandbox, segcad, "[distance(a.center, b.center) for a, b in nearest(parts(kind='hole'))]")
+def test_the_nearest_pair_comes_first_and_one_part_has_no_neighbour(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    pairs = value(sandbox, finder, "[[a.id, b.id] for a, b in nearest(parts(kind='hole'))]")
+    gaps = value(sandbox, finder, "[distance(a.center, b.center) for a, b in nearest(parts(kind='hole'))]")
     least = (
         "min([distance(a.center, b.center) for a in parts(kind='hole') for b in parts(kind='hole') if a.id != b.id])"
     )
     assert len(pairs) == 3
     assert gaps == sorted(gaps)
-    assert gaps[0] == value(sandbox, segcad, least)
-    assert value(sandbox, segcad, "nearest(parts(kind='hole')[:1])") == []
+    assert gaps[0] == value(sandbox, finder, least)
+    assert value(sandbox, finder, "nearest(parts(kind='hole')[:1])") == []
 
 
 @pytest.mark.parametrize("others", ["", ", parts(kind='slot')", ", parts()"])
@@ -133,13 +133,13 @@ def test_the_closest_pair_is_that_of_all_pairs_and_few_are_measured(sandbox: San
     assert len(boxes.asked) * 20 < len(all_pairs.asked)
 
 
-def test_fewer_than_two_have_no_closest_pair(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    assert value(sandbox, segcad, "closest(parts(kind='hole')[:1])") == []
-    assert value(sandbox, segcad, "closest([])") == []
-    assert value(sandbox, segcad, "closest(parts(kind='hole'), [])") == []
+def test_fewer_than_two_have_no_closest_pair(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    assert value(sandbox, finder, "closest(parts(kind='hole')[:1])") == []
+    assert value(sandbox, finder, "closest([])") == []
+    assert value(sandbox, finder, "closest(parts(kind='hole'), [])") == []
 
 
-def test_holes_on_a_circle_are_around_its_middle_in_order(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+def test_holes_on_a_circle_are_around_its_middle_in_order(sandbox: Sandbox, finder: FakePartFinder) -> None:
     places = {
         "hole-1": (1.0, 0.0),
         "hole-2": (-1.0, 0.0),
@@ -147,24 +147,24 @@ def test_holes_on_a_circle_are_around_its_middle_in_order(sandbox: Sandbox, segc
         "hole-4": (0.0, -1.0),
         "hole-5": (3, 0),
     }
-    segcad.known = [make_part(name, axis=UP, center=(*xy, 0.5)) for name, xy in places.items()]
-    segcad.known.append(make_part("boss-1", axis=UP, center=(0.0, 0.0, 2.0)))
-    found = value(sandbox, segcad, "[p.id for p in around(parts(), parts(kind='boss')[0])]")
+    finder.known = [make_part(name, axis=UP, center=(*xy, 0.5)) for name, xy in places.items()]
+    finder.known.append(make_part("boss-1", axis=UP, center=(0.0, 0.0, 2.0)))
+    found = value(sandbox, finder, "[p.id for p in around(parts(), parts(kind='boss')[0])]")
     turns = [found[i:] + found[:i] for i in range(4)]
     assert ["hole-1", "hole-3", "hole-2", "hole-4"] in turns or ["hole-1", "hole-4", "hole-2", "hole-3"] in turns
 
 
 def test_a_rounded_corner_has_the_axis_of_its_faces_where_they_share_one(
-    sandbox: Sandbox, segcad: FakeSegCad, monkeypatch: pytest.MonkeyPatch
+    sandbox: Sandbox, finder: FakePartFinder, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     places = {1: (0.02, 0.02, 0.0), 2: (0.02, 0.02, 0.01), 3: (0.05, 0.02, 0.0)}
     monkeypatch.setattr(
-        segcad, "faces", lambda ids: tuple(make_face(i, axis_point=places[i], convexity="convex") for i in ids)
+        finder, "faces", lambda ids: tuple(make_face(i, axis_point=places[i], convexity="convex") for i in ids)
     )
     hole = make_part("hole-1", axis=UP, center=(0.02, 0.02, 0.005))
     rounds = [("round-1", (1,)), ("round-2", (1, 2)), ("round-3", (1, 3)), ("round-4", (3,))]
-    segcad.known = [hole, *(make_part(name, kind="round", faces=faces) for name, faces in rounds)]
-    found = value(sandbox, segcad, "[coaxial(r, parts(kind='hole')[0]) for r in parts(kind='round')]")
+    finder.known = [hole, *(make_part(name, kind="round", faces=faces) for name, faces in rounds)]
+    found = value(sandbox, finder, "[coaxial(r, parts(kind='hole')[0]) for r in parts(kind='round')]")
     assert found == [True, True, False, False]
 
 
@@ -184,8 +184,8 @@ def test_a_rounded_corner_has_the_axis_of_its_faces_where_they_share_one(
         ("parts(kind='boss')[0].size_in(parts(kind='boss')[0].frame)", [0.02, 0.03, 0.01]),
     ],
 )
-def test_what_is_asked_of_parts_and_faces(sandbox: Sandbox, segcad: FakeSegCad, call: str, expected: Any) -> None:
-    assert value(sandbox, segcad, call) == pytest.approx(expected)
+def test_what_is_asked_of_parts_and_faces(sandbox: Sandbox, finder: FakePartFinder, call: str, expected: Any) -> None:
+    assert value(sandbox, finder, call) == pytest.approx(expected)
 
 
 @pytest.mark.parametrize(
@@ -210,56 +210,56 @@ def test_what_is_asked_of_parts_and_faces(sandbox: Sandbox, segcad: FakeSegCad, 
     ],
 )
 def test_what_is_not_known_is_told_and_not_guessed(
-    sandbox: Sandbox, segcad: FakeSegCad, call: str, message: str
+    sandbox: Sandbox, finder: FakePartFinder, call: str, message: str
 ) -> None:
-    outcome = sandbox.run(f"solution = {call}", segcad)
+    outcome = sandbox.run(f"solution = {call}", finder)
     assert outcome.status is RunStatus.RAISED
     assert outcome.message.startswith(message)
 
 
-def test_parts_and_faces_are_what_an_answer_rests_on(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    outcome = sandbox.run("solution = max(p.diameter for p in parts(kind='hole'))", segcad)
+def test_parts_and_faces_are_what_an_answer_rests_on(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    outcome = sandbox.run("solution = max(p.diameter for p in parts(kind='hole'))", finder)
     assert outcome.groundings[0].description == "parts(kind='hole')"
     assert outcome.used_parts == ("hole-1", "hole-2", "hole-3")
-    outcome = sandbox.run("solution = sum(f.area for f in faces(kind='cylinder'))", segcad)
+    outcome = sandbox.run("solution = sum(f.area for f in faces(kind='cylinder'))", finder)
     assert outcome.used_parts == ("faces-1",)
 
 
-def test_the_model_is_asked_once_for_all_its_parts(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    sandbox.run("solution = sum(len(parts(diameter=d / 1000)) for d in range(1, 60))", segcad)
-    assert segcad.calls == [("parts", None)]
+def test_the_model_is_asked_once_for_all_its_parts(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    sandbox.run("solution = sum(len(parts(diameter=d / 1000)) for d in range(1, 60))", finder)
+    assert finder.calls == [("parts", None)]
 
 
-def test_a_part_is_the_same_however_it_is_found(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    assert value(sandbox, segcad, "parts(kind='hole')[0] == find_parts('hole')[0]") is True
+def test_a_part_is_the_same_however_it_is_found(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    assert value(sandbox, finder, "parts(kind='hole')[0] == find_parts('hole')[0]") is True
 
 
-def test_a_face_knows_its_part_and_its_neighbours(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    segcad.known = [make_part("hole-1", faces=(4,))]
+def test_a_face_knows_its_part_and_its_neighbours(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    finder.known = [make_part("hole-1", faces=(4,))]
 
     def faces(ids: Any) -> tuple[Face, ...]:
         made = {4: make_face(4, part="hole-1", neighbours=(5,)), 5: make_face(5, neighbours=(4,), part="body-9")}
         return tuple(made[i] for i in ids)
 
-    segcad.faces = faces  # type: ignore[method-assign]
-    assert value(sandbox, segcad, "parts()[0].faces[0].part.id") == "hole-1"
-    assert value(sandbox, segcad, "[f.id for f in parts()[0].faces[0].neighbours]") == [5]
-    assert value(sandbox, segcad, "parts()[0].faces[0].neighbours[0].part is None") is True
+    finder.faces = faces  # type: ignore[method-assign]
+    assert value(sandbox, finder, "parts()[0].faces[0].part.id") == "hole-1"
+    assert value(sandbox, finder, "[f.id for f in parts()[0].faces[0].neighbours]") == [5]
+    assert value(sandbox, finder, "parts()[0].faces[0].neighbours[0].part is None") is True
 
 
-def test_words_that_were_left_out_are_told_with_the_parts(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    found = segcad.find_parts
+def test_words_that_were_left_out_are_told_with_the_parts(sandbox: Sandbox, finder: FakePartFinder) -> None:
+    found = finder.find_parts
 
     def find_parts(description: Any, sides: Any = None) -> Any:
         left = {"ignored": ("shiny",), "unchecked": ("'painted'",)} if "shiny" in description else {}
         return found(description, sides).model_copy(update=left)
 
-    segcad.find_parts = find_parts  # type: ignore[method-assign]
+    finder.find_parts = find_parts  # type: ignore[method-assign]
     code = (
         'shiny = find_parts("shiny painted hole")\nplain = find_parts("hole")\n'
         "solution = [shiny.ignored_words, shiny.not_checked, plain.ignored_words, len(shiny)]"
     )
-    assert value(sandbox, segcad, code) == [["shiny"], ["'painted'"], [], 3]
+    assert value(sandbox, finder, code) == [["shiny"], ["'painted'"], [], 3]
 
 
 @pytest.mark.parametrize(

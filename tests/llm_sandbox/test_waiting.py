@@ -1,4 +1,4 @@
-"""Runs that wait for SegCAD: many at once on one interpreter, and each goes on as if it had never been put aside."""
+"""Runs that wait for the segworker: many at once on one interpreter, each going on as if never put aside."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import pytest
-from tests.llm_sandbox.conftest import FakeSegCad
+from tests.llm_sandbox.conftest import FakePartFinder
 
 from querycad_contracts import Grounding, PartQuery, RunLimits, RunOutcome, RunStatus, Side
 from querycad_sandbox import Sandbox
@@ -18,8 +18,8 @@ WAIT_S = 20.0
 """So long a test waits for what must come; never reached where the claim holds."""
 
 
-class Waiting(FakeSegCad):
-    """A SegCAD whose every call takes long: it gives the interpreter back, then does `meanwhile`."""
+class Waiting(FakePartFinder):
+    """A finder whose every call takes long: it gives the interpreter back, then does `meanwhile`."""
 
     def __init__(self, control: RunControl, meanwhile: Callable[[], object] = lambda: None, prefix: str = "") -> None:
         super().__init__(prefix)
@@ -63,12 +63,12 @@ def run(sandbox: Sandbox, code: str, meanwhile: Callable[[], object] = lambda: N
 
 
 def test_many_runs_wait_at_once_on_one_interpreter(narrow: Sandbox) -> None:
-    together = threading.Barrier(12)  # passed only when all twelve wait for SegCAD at the same time
+    together = threading.Barrier(12)  # passed only when all twelve wait for the segworker at the same time
 
     def one(number: int) -> RunOutcome:
         control = RunControl()
-        segcad = Waiting(control, lambda: together.wait(WAIT_S), f"m{number}-")
-        return narrow.run("solution = [p.id for p in find_parts('boss')]", segcad, control=control)
+        finder = Waiting(control, lambda: together.wait(WAIT_S), f"m{number}-")
+        return narrow.run("solution = [p.id for p in find_parts('boss')]", finder, control=control)
 
     with ThreadPoolExecutor(12) as threads:
         outcomes = list(threads.map(one, range(12)))
@@ -77,7 +77,7 @@ def test_many_runs_wait_at_once_on_one_interpreter(narrow: Sandbox) -> None:
 
 def test_a_run_goes_on_while_another_waits(narrow: Sandbox) -> None:
     def meanwhile() -> None:
-        assert narrow.run("solution = 40 + 2", FakeSegCad()).value == 42
+        assert narrow.run("solution = 40 + 2", FakePartFinder()).value == 42
 
     assert run(narrow, "solution = len(find_parts('hole'))", meanwhile).value == 3
 
@@ -101,7 +101,7 @@ def test_a_run_goes_on_while_another_waits(narrow: Sandbox) -> None:
     ],
 )  # fmt: skip
 def test_a_run_put_aside_goes_on_as_if_it_never_was(narrow: Sandbox, code: str, value: Any) -> None:
-    put_aside, straight = run(narrow, code), narrow.run(code, FakeSegCad())
+    put_aside, straight = run(narrow, code), narrow.run(code, FakePartFinder())
     assert (put_aside.message, put_aside.value) == ("", value)
     keep = {"duration_ms": 0.0}
     assert put_aside.model_copy(update=keep) == straight.model_copy(update=keep)
@@ -157,7 +157,10 @@ def test_all_time_in_segcad_is_limited_together(narrow: Sandbox) -> None:
     pause = threading.Event()
     code = "for i in range(100):\n    find_parts(f'hole {i}')\nsolution = 1"
     outcome = run(narrow, code, lambda: pause.wait(0.02), limits=RunLimits(segcad_s=0.1))
-    assert (outcome.status, outcome.message) == (RunStatus.TIMED_OUT, "SegCAD took longer than it may for one run")
+    assert (outcome.status, outcome.message) == (
+        RunStatus.TIMED_OUT,
+        "the segworker took longer than it may for one run",
+    )
     assert 1 < len(outcome.groundings) < 100
 
 
@@ -172,10 +175,10 @@ def test_a_run_that_waits_for_an_interpreter_is_ended_in_time(narrow: Sandbox) -
     def meanwhile() -> None:
         control = RunControl()
         limits = RunLimits(wall_s=0.1)
-        late = narrow.run("solution = 1", FakeSegCad(), limits, control=control)
+        late = narrow.run("solution = 1", FakePartFinder(), limits, control=control)
         assert late.status is RunStatus.TIMED_OUT
 
-    class Holding(FakeSegCad):
+    class Holding(FakePartFinder):
         def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
             meanwhile()
             return super().find_parts(description, sides)

@@ -12,33 +12,33 @@ from tests.segworker.shapes import ball, box, compound, cut, cylinder, plate, wr
 
 from querycad_segworker.errors import KernelDied
 from querycad_segworker.ingest import ingest
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 from querycad_segworker.model import Artefacts, ModelStore
 
 
 @pytest.fixture(scope="module")
-def two_bodies(tmp_path_factory: pytest.TempPathFactory) -> LocalSegCad:
+def two_bodies(tmp_path_factory: pytest.TempPathFactory) -> LocalPartFinder:
     """A block of 10 mm, and a lying cylinder whose surface is 7 mm to its right."""
     folder = tmp_path_factory.mktemp("bodies")
     shape = compound(box((10, 10, 10)), cylinder(3, 20, (20, 0, 5), (0, 1, 0)))
-    return LocalSegCad(ingest(write_step(folder / "two.step", shape), ModelStore(folder / "store")))
+    return LocalPartFinder(ingest(write_step(folder / "two.step", shape), ModelStore(folder / "store")))
 
 
-def test_the_distance_between_two_bodies_is_that_of_their_surfaces(two_bodies: LocalSegCad) -> None:
+def test_the_distance_between_two_bodies_is_that_of_their_surfaces(two_bodies: LocalPartFinder) -> None:
     assert two_bodies.distance("body-1", "body-2") == pytest.approx(7e-3, abs=1e-9)
     assert two_bodies.distance("body-2", "body-1") == pytest.approx(7e-3, abs=1e-9)
 
 
-def test_a_part_is_at_no_distance_from_itself(two_bodies: LocalSegCad) -> None:
+def test_a_part_is_at_no_distance_from_itself(two_bodies: LocalPartFinder) -> None:
     assert two_bodies.distance("body-1", "body-1") == 0.0
 
 
-def test_an_unknown_part_is_a_key_error(two_bodies: LocalSegCad) -> None:
+def test_an_unknown_part_is_a_key_error(two_bodies: LocalPartFinder) -> None:
     with pytest.raises(KeyError):
         two_bodies.distance("body-1", "body-99")
 
 
-def test_a_kernel_that_cannot_start_is_an_error_and_not_a_hang(two_bodies: LocalSegCad, tmp_path: Path) -> None:
+def test_a_kernel_that_cannot_start_is_an_error_and_not_a_hang(two_bodies: LocalPartFinder, tmp_path: Path) -> None:
     from querycad_segworker.measuring import Kernel
 
     kernel = Kernel(Artefacts(tmp_path))
@@ -48,7 +48,7 @@ def test_a_kernel_that_cannot_start_is_an_error_and_not_a_hang(two_bodies: Local
     assert two_bodies.distance("body-1", "body-2") == pytest.approx(7e-3, abs=1e-9)
 
 
-def test_an_extent_is_exact_along_any_direction(two_bodies: LocalSegCad) -> None:
+def test_an_extent_is_exact_along_any_direction(two_bodies: LocalPartFinder) -> None:
     half = 0.5**0.5
     assert two_bodies.extent("body-1", (1.0, 0.0, 0.0)) == pytest.approx(0.01, abs=1e-12)
     assert two_bodies.extent("body-1", (half, half, 0.0)) == pytest.approx(0.02 * half, abs=1e-8)
@@ -82,9 +82,9 @@ def test_bodies_share_the_volume_that_both_take(
     first: TopoDS_Shape, second: TopoDS_Shape, shared_mm3: float, tmp_path: Path
 ) -> None:
     model = ingest(write_step(tmp_path / "two.step", compound(first, second)), ModelStore(tmp_path / "store"))
-    assert LocalSegCad(model).overlap("body-1", "body-2") * 1e9 == pytest.approx(shared_mm3, rel=1e-6, abs=1e-6)
+    assert LocalPartFinder(model).overlap("body-1", "body-2") * 1e9 == pytest.approx(shared_mm3, rel=1e-6, abs=1e-6)
 
 
-def test_bodies_far_apart_share_nothing_without_the_kernel(two_bodies: LocalSegCad, monkeypatch: Any) -> None:
+def test_bodies_far_apart_share_nothing_without_the_kernel(two_bodies: LocalPartFinder, monkeypatch: Any) -> None:
     monkeypatch.setattr(two_bodies, "_kernel", None)
     assert two_bodies.overlap("body-1", "body-2") == 0.0

@@ -41,7 +41,7 @@ from querycad_contracts import FileKind, Part, SurfaceKind
 from querycad_segworker import errors
 from querycad_segworker.errors import FileProblem, FileTooLarge, IncompleteFile, UnreadableFile
 from querycad_segworker.ingest import ingest
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 from querycad_segworker.meshes import files, three_mf
 from querycad_segworker.meshes import triangles as limits
 from querycad_segworker.meshes.files import MeshFile, read_mesh_file
@@ -236,11 +236,11 @@ def test_a_mesh_that_cuts_through_itself_is_read_as_its_bodies(store: ModelStore
 def test_a_distance_is_measured_on_the_triangles(store: ModelStore, tmp_path: Path) -> None:
     apart = np.concatenate([triangles(box((10, 10, 10))), triangles(box((10, 10, 10), (13, 14, 0)))])
     path = write_stl(tmp_path / "apart.stl", apart)
-    segcad = LocalSegCad(ingest(path, store))
-    assert segcad.distance("body-1", "body-2") == pytest.approx(5e-3, abs=1e-8)
-    assert segcad.extent("body-1", (0.5**0.5, 0.5**0.5, 0.0)) == pytest.approx(0.01 * 2**0.5, abs=1e-8)
+    finder = LocalPartFinder(ingest(path, store))
+    assert finder.distance("body-1", "body-2") == pytest.approx(5e-3, abs=1e-8)
+    assert finder.extent("body-1", (0.5**0.5, 0.5**0.5, 0.0)) == pytest.approx(0.01 * 2**0.5, abs=1e-8)
     drilled = write_stl(tmp_path / "drilled.stl", triangles(shifted(DRILLED, (5, 0, 0))))
-    model = LocalSegCad(ingest(drilled, store))
+    model = LocalPartFinder(ingest(drilled, store))
     small, _ = holes(model.model)
     assert model.edge_distance(small.id) == pytest.approx(0.007, abs=1e-4)
 

@@ -109,7 +109,7 @@ def test_the_user_s_name_of_the_file_is_kept_not_its_hash(
 
 
 def test_calls_answer_as_the_model_itself_does(settings: SegworkerSettings, table: Table, model: str) -> None:
-    local = make_tasks(settings).cache.segcad(model)
+    local = make_tasks(settings).cache.finder(model)
     found = table[TaskName.FIND_PARTS]({"model": model, "description": "hole", "sides": ["top"]})["value"]
     assert found == local.find_parts("hole", ["top"]).model_dump(mode="json")  # type: ignore[list-item]
     assert table[TaskName.SHAPE]({"model": model})["value"] == local.shape().model_dump(mode="json")
@@ -120,7 +120,7 @@ def test_calls_answer_as_the_model_itself_does(settings: SegworkerSettings, tabl
 def test_groundings_come_back_as_the_model_itself_has_them(
     settings: SegworkerSettings, table: Table, model: str
 ) -> None:
-    local = make_tasks(settings).cache.segcad(model)
+    local = make_tasks(settings).cache.finder(model)
     queries = (PartQuery(noun="hole", plural=True), PartQuery(noun="banana", known=False))
     payload = GroundTask(model=model, queries=queries).model_dump(mode="json")
     found = GroundedParts.model_validate(table[TaskName.GROUND](payload)["value"])
@@ -290,10 +290,10 @@ def test_no_more_models_are_kept_in_memory_than_allowed(settings: SegworkerSetti
     cache = make_tasks(settings).cache
     other = put(settings, flange.read_bytes() + b"\n")
     cache.read(other, "flange.step")
-    first = cache.segcad(model)
-    assert cache.segcad(model) is first
-    cache.segcad(other)
-    assert cache.segcad(model) is not first
+    first = cache.finder(model)
+    assert cache.finder(model) is first
+    cache.finder(other)
+    assert cache.finder(model) is not first
 
 
 def test_what_is_made_of_a_model_that_was_deleted_meanwhile_goes_too(

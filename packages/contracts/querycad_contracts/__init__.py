@@ -93,11 +93,11 @@ from .runs import (
     FoundFaces,
     Grounding,
     NoSuchMeasure,
+    PartFinder,
     PictureRequest,
     RunLimits,
     RunOutcome,
     RunStatus,
-    SegCad,
     WallsMissing,
 )
 from .services import (

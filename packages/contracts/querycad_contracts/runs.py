@@ -1,4 +1,4 @@
-"""What the sandbox and SegCAD owe each other: the port that guest code's calls go through, and a run's outcome."""
+"""What the sandbox and the segworker owe each other: the port that guest code calls, and the outcome of a run."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class NoSuchMeasure(ValueError):
     """The parts are known, but have no such measure; `str()` says why, to whoever asked for it."""
 
 
-class SegCad(Protocol):
+class PartFinder(Protocol):
     """Finds and measures the parts of one known model: in this process when embedded, else over Celery.
 
     What measures raises NoSuchMeasure where the parts have none.
@@ -134,7 +134,7 @@ class RunLimits(Frozen):
     """What one program may use."""
 
     duration_s: float = Field(5.0, gt=0, le=60, description="Interpreter time; a program of a few lines needs 1 ms.")
-    segcad_s: float = Field(180.0, gt=0, le=3600, description="Time in SegCAD, all calls together.")
+    segcad_s: float = Field(180.0, gt=0, le=3600, description="Time in the segworker, all calls together.")
     wall_s: float = Field(240.0, gt=0, le=3600, description="From start to end, whatever it waits for.")
     memory_bytes: int = Field(
         64 * 2**20, gt=0, le=512 * 2**20, description="Interpreter heap; a thousand parts take a few MB."

@@ -40,7 +40,7 @@ from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.fusing.vision import networks_in
 from querycad_segworker.ingest import ingest
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 from querycad_segworker.model import Artefacts, ModelStore
 from querycad_segworker.summary import summary
 
@@ -72,7 +72,7 @@ class EmbeddedRuntime:
         self._llm = LlmWriter(llm or LlmSettings.read())
         self._sandbox = sandbox or Sandbox(workers=1)
         self._vision = vision
-        self._models: OrderedDict[Path, LocalSegCad] = OrderedDict()
+        self._models: OrderedDict[Path, LocalPartFinder] = OrderedDict()
 
     def __enter__(self) -> Self:
         return self
@@ -94,8 +94,8 @@ class EmbeddedRuntime:
     ) -> AnswerRecord:
         """What is the answer to the question about this STEP file? Raises FileProblem when the file cannot be read."""
         start = time.perf_counter()
-        segcad = self.model(file, progress)
-        return self._asked(segcad, question, unit, options, time.perf_counter() - start)
+        finder = self.model(file, progress)
+        return self._asked(finder, question, unit, options, time.perf_counter() - start)
 
     def open(
         self,
@@ -105,18 +105,18 @@ class EmbeddedRuntime:
     ) -> Model:
         """The model in this file, read now if its content is not known yet. Raises FileProblem."""
         start = time.perf_counter()
-        segcad = self.model(file, progress)
-        return Model(_Opened(self, segcad, Path(file).name, time.perf_counter() - start), unit)
+        finder = self.model(file, progress)
+        return Model(_Opened(self, finder, Path(file).name, time.perf_counter() - start), unit)
 
     def _asked(
-        self, segcad: LocalSegCad, question: str, unit: LengthUnit, options: AnswerOptions, opening_s: float
+        self, finder: LocalPartFinder, question: str, unit: LengthUnit, options: AnswerOptions, opening_s: float
     ) -> AnswerRecord:
         model_ms = round(opening_s * 1e3, 3)
-        view, run = _view(segcad, options.grounding), self._runner(segcad, options.grounding)
-        told = summary(segcad.model) if self._llm.settings.is_configured else None
-        place = segcad.grounded_by(GroundedBy.EYES)
+        view, run = _view(finder, options.grounding), self._runner(finder, options.grounding)
+        told = summary(finder.model) if self._llm.settings.is_configured else None
+        place = finder.grounded_by(GroundedBy.EYES)
         record = answer_question(question, run, view, unit, options, summary=told, llm=self._llm, place=place)
-        warnings = tuple(dict.fromkeys((*segcad.model.warnings, *record.warnings)))
+        warnings = tuple(dict.fromkeys((*finder.model.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
 
     def view(self, file: Path | str) -> ModelView:
@@ -127,8 +127,8 @@ class EmbeddedRuntime:
         """What runs programs against this file. Raises FileProblem."""
         return self._runner(self.model(file))
 
-    def _runner(self, segcad: LocalSegCad, grounding: GroundedBy = GroundedBy.GEOMETRY) -> Run:
-        found_by = segcad.grounded_by(grounding)
+    def _runner(self, finder: LocalPartFinder, grounding: GroundedBy = GroundedBy.GEOMETRY) -> Run:
+        found_by = finder.grounded_by(grounding)
 
         def run(program: Program) -> RunOutcome:
             try:
@@ -138,13 +138,13 @@ class EmbeddedRuntime:
 
         return run
 
-    def model(self, file: Path | str, progress: Callable[[str], None] | None = None) -> LocalSegCad:
+    def model(self, file: Path | str, progress: Callable[[str], None] | None = None) -> LocalPartFinder:
         """The recognised model of this file, read now if its content is not known yet. Raises FileProblem."""
         artefacts = self.artefacts(file, progress)
         known = self._models.get(artefacts.folder)
         if known is None:
             networks = networks_in(weights_folder(), self._vision)
-            known = self._models[artefacts.folder] = LocalSegCad(artefacts, networks=networks, vision=self._vision)
+            known = self._models[artefacts.folder] = LocalPartFinder(artefacts, networks=networks, vision=self._vision)
         self._models.move_to_end(artefacts.folder)
         while len(self._models) > MODELS_KEPT:
             self._models.popitem(last=False)
@@ -158,10 +158,10 @@ class EmbeddedRuntime:
         return self._filled(self.model(file), asked, None if other is None else lambda: self.model(other).model.parts)
 
     def _filled(
-        self, segcad: LocalSegCad, asked: ParametersRequest, other: Callable[[], Sequence[Part]] | None
+        self, finder: LocalPartFinder, asked: ParametersRequest, other: Callable[[], Sequence[Part]] | None
     ) -> ParameterSet:
-        view, run = _view(segcad, asked.grounding), self._runner(segcad, asked.grounding)
-        told = summary(segcad.model) if self._llm.settings.is_configured else None
+        view, run = _view(finder, asked.grounding), self._runner(finder, asked.grounding)
+        told = summary(finder.model) if self._llm.settings.is_configured else None
         return fill_parameters(asked, view, run, other=other, summary=told, llm=self._llm)
 
     def summary(self, file: Path | str, progress: Callable[[str], None] | None = None) -> ModelSummary:
@@ -176,28 +176,28 @@ class EmbeddedRuntime:
 class _Opened:
     """A file that was opened: what it held then, whatever becomes of it."""
 
-    def __init__(self, runtime: EmbeddedRuntime, segcad: LocalSegCad, name: str, opening_s: float) -> None:
-        self.id = segcad.model.sha256
+    def __init__(self, runtime: EmbeddedRuntime, finder: LocalPartFinder, name: str, opening_s: float) -> None:
+        self.id = finder.model.sha256
         self.name = name
         self._runtime = runtime
-        self._segcad = segcad
+        self._finder = finder
         self._opening_s = opening_s
 
     def ask(self, question: str, unit: LengthUnit, options: AnswerOptions) -> tuple[AnswerRecord, Callable[[], bytes]]:
-        record = self._runtime._asked(self._segcad, question, unit, options, self._opening_s)
+        record = self._runtime._asked(self._finder, question, unit, options, self._opening_s)
         return record, lambda: self._drawn(record)
 
     def summary(self) -> ModelSummary:
-        return summary(self._segcad.model)
+        return summary(self._finder.model)
 
     def parts(self) -> tuple[Part, ...]:
-        return self._segcad.model.parts
+        return self._finder.model.parts
 
     def find_parts(self, description: str, sides: Sequence[Side] | None, grounding: GroundedBy) -> Grounding:
-        return self._segcad.grounded_by(grounding).find_parts(description, sides)
+        return self._finder.grounded_by(grounding).find_parts(description, sides)
 
     def describe(self, unit: LengthUnit) -> Description:
-        found = described(self._runtime._runner(self._segcad), _view(self._segcad), unit)
+        found = described(self._runtime._runner(self._finder), _view(self._finder), unit)
         assert found is not None
         return found
 
@@ -205,20 +205,20 @@ class _Opened:
         return table(kind, self.parts(), grouped=grouped, unit=unit)
 
     def parameters(self, asked: ParametersRequest, other: Callable[[], Sequence[Part]] | None) -> ParameterSet:
-        return self._runtime._filled(self._segcad, asked, other)
+        return self._runtime._filled(self._finder, asked, other)
 
     def run(self, code: str, expects: AnswerType | None) -> RunOutcome:
-        return self._runtime._runner(self._segcad)(Program(code=code, codegen="", expects=expects))
+        return self._runtime._runner(self._finder)(Program(code=code, codegen="", expects=expects))
 
     def view(self, view: ViewName, width: int, height: int) -> bytes:
         from querycad_segworker.render.plain import draw_view  # here: trimesh and pictures take a moment to load
 
-        return _png(lambda into: draw_view(self._segcad.artefacts, view, (width, height), into))
+        return _png(lambda into: draw_view(self._finder.artefacts, view, (width, height), into))
 
     def _drawn(self, record: AnswerRecord) -> bytes:
         from querycad_segworker.render.evidence import draw_evidence
 
-        return _png(lambda into: draw_evidence(self._segcad.artefacts, record, into))
+        return _png(lambda into: draw_evidence(self._finder.artefacts, record, into))
 
 
 def _png(draw: Callable[[BytesIO], None]) -> bytes:
@@ -235,11 +235,11 @@ def this_machine() -> EmbeddedRuntime:
     return runtime
 
 
-def _view(segcad: LocalSegCad, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
+def _view(finder: LocalPartFinder, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
     return ModelView(
-        segcad.grounded_by(grounding).ground,
-        segcad.whole,
-        segcad.names,
-        segcad.kinds,
-        contents=cache(lambda: (summary(segcad.model), segcad.model.parts)),
+        finder.grounded_by(grounding).ground,
+        finder.whole,
+        finder.names,
+        finder.kinds,
+        contents=cache(lambda: (summary(finder.model), finder.model.parts)),
     )

@@ -45,7 +45,7 @@ from querycad_contracts import (
 )
 
 from .control import RunControl
-from .remote import Caller, QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
+from .remote import Caller, QueueCaller, RemotePartFinder, SegworkerFailed, SegworkerUnavailable
 from .sandbox import Sandbox
 from .settings import LOOPBACK, SandboxSettings
 
@@ -224,12 +224,14 @@ class _Runs:
         except asyncio.CancelledError:
             control.cancel()
             raise
-        except SegCadUnavailable as error:
-            raise NotRun(Problem(title="SegCAD unavailable", status=503, detail=str(error), retryable=True)) from error
-        except SegCadFailed as error:
+        except SegworkerUnavailable as error:
+            raise NotRun(
+                Problem(title="Segworker unavailable", status=503, detail=str(error), retryable=True)
+            ) from error
+        except SegworkerFailed as error:
             statuses = {TaskFailureKind.FILE: 422, TaskFailureKind.NOT_READ: 409}
             status = statuses.get(error.failure.kind, 502)
-            problem = Problem(title="SegCAD failed", status=status, detail=error.failure.message)
+            problem = Problem(title="Segworker failed", status=status, detail=error.failure.message)
             raise NotRun(problem.model_copy(update={"retryable": error.failure.retryable})) from error
         except Exception as error:
             log.exception("a run failed")
@@ -240,8 +242,8 @@ class _Runs:
 
     def _run_here(self, asked: RunRequest, control: RunControl) -> RunOutcome:
         with working_for(asked.request):
-            segcad = RemoteSegCad(asked.model, self._call, self._settings, control, asked.grounding)
-            outcome = self._sandbox.run(asked.code, segcad, asked.limits, asked.expects, control, asked.check)
+            finder = RemotePartFinder(asked.model, self._call, self._settings, control, asked.grounding)
+            outcome = self._sandbox.run(asked.code, finder, asked.limits, asked.expects, control, asked.check)
             told = {"run": asked.run, "status": outcome.status.value, "ms": outcome.duration_ms}
             log.info("run done", extra=told)
             return outcome

@@ -18,13 +18,13 @@ from pydantic import TypeAdapter, ValidationError
 from querycad_contracts import (
     AnswerType,
     ModelId,
+    PartFinder,
     Printed,
     RunEnded,
     RunEvent,
     RunLimits,
     RunOutcome,
     RunStatus,
-    SegCad,
 )
 
 from .arguments import add_run_arguments
@@ -38,7 +38,12 @@ LOOK_S = 0.1
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line. Exit code 0: `solution` has a value; 1: the program failed; 2: it could not be run."""
-    from .remote import QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable  # a model at hand needs no queue
+    from .remote import (  # a model at hand needs no queue
+        QueueCaller,
+        RemotePartFinder,
+        SegworkerFailed,
+        SegworkerUnavailable,
+    )
     from .settings import SandboxSettings
 
     parser = argparse.ArgumentParser(prog="python -m querycad_sandbox", description=__doc__)
@@ -54,17 +59,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return complain(f"{error.errors()[0]['msg']}: {error.errors()[0]['input']!r}")
     call = QueueCaller(settings.redis_url)
     try:
-        return run_program(options, lambda control: RemoteSegCad(model, call, settings, control))
-    except (SegCadUnavailable, SegCadFailed) as error:
+        return run_program(options, lambda control: RemotePartFinder(model, call, settings, control))
+    except (SegworkerUnavailable, SegworkerFailed) as error:
         return complain(str(error))
     finally:
         call.close()
 
 
-def run_program(options: argparse.Namespace, segcad: Callable[[RunControl], SegCad], out: TextIO | None = None) -> int:
+def run_program(
+    options: argparse.Namespace, finder: Callable[[RunControl], PartFinder], out: TextIO | None = None
+) -> int:
     """Runs the program that the arguments name; Ctrl-C cancels it. Exit code as of `main`.
 
-    Raises what `segcad` raises.
+    Raises what `finder` raises.
     """
     out = out or sys.stdout
     try:
@@ -85,7 +92,7 @@ def run_program(options: argparse.Namespace, segcad: Callable[[RunControl], SegC
 
     control = RunControl(hear)
     with Sandbox(workers=1) as sandbox, ThreadPoolExecutor(1) as thread:
-        run = thread.submit(lambda: sandbox.run(code, segcad(control), limits, expects, control))
+        run = thread.submit(lambda: sandbox.run(code, finder(control), limits, expects, control))
         while not run.done():
             try:
                 run.exception(LOOK_S)

@@ -1,6 +1,6 @@
 """What whoever starts a run can do with it from outside: hear what it does, cancel it, bound how long it waits.
 
-It is also how a call to SegCAD says that it will take long, so that the run gives its interpreter to another.
+It is also how a call to the segworker says that it will take long, so that the run gives its interpreter to another.
 """
 
 from __future__ import annotations
@@ -34,15 +34,15 @@ class RunControl:
         self._stops: list[Callable[[], None]] = []
         self._cancelled = False
         self._ends = float("inf")
-        self._segcad_s = float("inf")
+        self._segworker_s = float("inf")
         self._asked: float | None = None
         self.release: Callable[[], None] = _nothing
-        """What gives the interpreter back while SegCAD is waited for; set by the run."""
+        """What gives the interpreter back while the segworker is waited for; set by the run."""
 
     def begin(self, limits: RunLimits) -> None:
         """Starts the clock of the run."""
         self._ends = monotonic() + limits.wall_s
-        self._segcad_s = limits.segcad_s
+        self._segworker_s = limits.segcad_s
 
     @property
     def is_heard(self) -> bool:
@@ -78,19 +78,19 @@ class RunControl:
                 self._stops.remove(stop)
 
     @contextmanager
-    def in_segcad(self) -> Iterator[None]:
-        """While the context lasts, the time counts as SegCAD's."""
+    def in_segworker(self) -> Iterator[None]:
+        """While the context lasts, the time counts as the segworker's."""
         self._asked = monotonic()
         try:
             yield
         finally:
-            self._segcad_s -= monotonic() - self._asked
+            self._segworker_s -= monotonic() - self._asked
             self._asked = None
 
     def left_s(self) -> float:
         """How long may be waited now, in seconds? 0 or less when the time is up."""
         now = monotonic()
-        return min(self._ends - now, self._segcad_s - (now - self._asked) if self._asked else float("inf"))
+        return min(self._ends - now, self._segworker_s - (now - self._asked) if self._asked else float("inf"))
 
     def check(self) -> None:
         """Raises RunEndedError when the run is cancelled or has no time left."""
@@ -98,8 +98,8 @@ class RunControl:
             raise RunEndedError(RunStatus.CANCELLED, CANCELLED)
         if monotonic() >= self._ends:
             raise RunEndedError(RunStatus.TIMED_OUT, "the run took longer than it may in all")
-        if self._segcad_s <= 0 or (self._asked and self.left_s() <= 0):
-            raise RunEndedError(RunStatus.TIMED_OUT, "SegCAD took longer than it may for one run")
+        if self._segworker_s <= 0 or (self._asked and self.left_s() <= 0):
+            raise RunEndedError(RunStatus.TIMED_OUT, "the segworker took longer than it may for one run")
 
     def tell(self, event: Heard) -> None:
         """Tells whoever listens."""

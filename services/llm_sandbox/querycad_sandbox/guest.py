@@ -1,7 +1,7 @@
 """The host side of one run's guest API: what a program's calls do, and what they leave behind.
 
 A call that the program got wrong raises TypeError, ValueError or AttributeError into the program. A call that ends the
-run (`RunEndedError`), or a failure of SegCAD itself, is kept in `Guest.ended`: whatever the program does with the
+run (`RunEndedError`), or a failure of the segworker, is kept in `Guest.ended`: whatever the program does with the
 exception that it sees, the run is over.
 """
 
@@ -23,11 +23,11 @@ from querycad_contracts import (
     MissingAttribute,
     NoSuchMeasure,
     Part,
+    PartFinder,
     PartKind,
     PartQuery,
     PictureRequest,
     RunStatus,
-    SegCad,
     Shape,
     Side,
     Vector,
@@ -163,13 +163,15 @@ class PartView(View):
 class Guest:
     """Answers one program's calls from one model, and keeps the groundings."""
 
-    def __init__(self, segcad: SegCad, control: RunControl, memory_bytes: int, absence_raises: bool = False) -> None:
+    def __init__(
+        self, finder: PartFinder, control: RunControl, memory_bytes: int, absence_raises: bool = False
+    ) -> None:
         """`memory_bytes`: what the model's objects may take here, outside the interpreter's heap.
 
         `absence_raises`: a measure that is not there is an AttributeError, as programs expect that catch it.
         """
         self.absence_raises = absence_raises
-        self._segcad = segcad
+        self._finder = finder
         self._control = control
         self._memory_bytes = memory_bytes
         self.views: dict[UUID, View] = {}
@@ -208,7 +210,7 @@ class Guest:
 
     def shape(self) -> View:
         """The variable `shape`."""
-        shape = self._ask(self._segcad.shape)
+        shape = self._ask(self._finder.shape)
         bodies = [View(self, body, body_measures(body)) for body in shape.bodies]
         return View(self, shape, {**shape_measures(shape), "bodies": bodies})
 
@@ -264,7 +266,7 @@ class Guest:
         )
         if said not in self._chosen:
             self._count()
-            found = self._ask(lambda: self._segcad.find_faces(query))
+            found = self._ask(lambda: self._finder.find_faces(query))
             self._takes(found.faces)
             if len(found.faces) > FACES:
                 raise ValueError(f"more than {FACES:,} faces match: narrow the query")
@@ -280,7 +282,7 @@ class Guest:
             raise TypeError("look() takes a few words, such as 'logo'")
         if said not in self._chosen:
             self._count()
-            grounding = self._ask(lambda: self._segcad.look(phrase[:SAID_CHARS]))
+            grounding = self._ask(lambda: self._finder.look(phrase[:SAID_CHARS]))
             self._takes(grounding.parts)
             self.groundings.append(grounding)
             self._chosen[said] = [self._part_view(part) for part in grounding.parts]
@@ -329,7 +331,7 @@ class Guest:
 
     def _of_face(self, face: Face, name: str) -> Any:
         if name == "neighbours":
-            return [self._face_view(each) for each in self._ask(lambda: self._segcad.faces(face.neighbours))]
+            return [self._face_view(each) for each in self._ask(lambda: self._finder.faces(face.neighbours))]
         if name == "part":
             self._inventory()
             return self._part_view(self._by_id[face.part]) if face.part in self._by_id else None
@@ -338,12 +340,12 @@ class Guest:
 
     def size_in(self, part: Part, frame: LocalFrame) -> Vector:
         """How large is a part along the axes of a frame, in metres?"""
-        x, y, z = (self._ask(partial(self._segcad.extent, part.id, way)) for way in (frame.x, frame.y, frame.z))
+        x, y, z = (self._ask(partial(self._finder.extent, part.id, way)) for way in (frame.x, frame.y, frame.z))
         return (x, y, z)
 
     def distance_to(self, part: Part, other: Part) -> float:
         """How far apart are the surfaces of two parts, in metres?"""
-        return self._ask(lambda: self._segcad.distance(part.id, other.id))
+        return self._ask(lambda: self._finder.distance(part.id, other.id))
 
     def overlap_with(self, part: Part, other: Part) -> float:
         """Which volume do two bodies share, in m3?"""
@@ -352,11 +354,11 @@ class Guest:
                 raise ValueError(f"overlap_with() takes bodies; {_noun(one)} is none")
             if one.volume is None:
                 raise ValueError(f"{_noun(one)} is not closed, so nothing can be inside it")
-        return self._ask(lambda: self._segcad.overlap(part.id, other.id))
+        return self._ask(lambda: self._finder.overlap(part.id, other.id))
 
     def edge_distance(self, part: Part) -> float:
         """How far is a part from the outer edge of the face that it lies in, in metres?"""
-        return self._ask(lambda: self._segcad.edge_distance(part.id))
+        return self._ask(lambda: self._finder.edge_distance(part.id))
 
     def center_distance(self, part: Part, other: Part) -> float:
         """How far apart are the centres of two parts, in metres; of two round ones on parallel axes, those axes?"""
@@ -410,7 +412,7 @@ class Guest:
 
     def _ground(self, description: str | PartQuery, sides: tuple[Side, ...] | None) -> Grounding:
         self._count()
-        grounding = self._ask(lambda: self._segcad.find_parts(description, sides))
+        grounding = self._ask(lambda: self._finder.find_parts(description, sides))
         self._takes(grounding.parts)
         self.groundings.append(grounding)
         if not grounding.understood:
@@ -426,7 +428,7 @@ class Guest:
     def _inventory(self) -> tuple[Part, ...]:
         """All parts of the model, fetched once."""
         if self._parts is None:
-            self._parts = self._ask(self._segcad.parts)
+            self._parts = self._ask(self._finder.parts)
             self._takes(self._parts)
             self._by_id = {part.id: part for part in self._parts}
         return self._parts
@@ -451,7 +453,7 @@ class Guest:
         if isinstance(value, Face):
             return (value,)
         if isinstance(value, Part):
-            return self._ask(lambda: self._segcad.faces(value.faces)) if value.faces else ()
+            return self._ask(lambda: self._finder.faces(value.faces)) if value.faces else ()
         raise TypeError("adjacent() takes two parts or faces")
 
     def _takes(self, kept: Sequence[Part | Face]) -> None:
@@ -463,12 +465,12 @@ class Guest:
 
     def _ask(self, call: Callable[[], T]) -> T:
         try:
-            with self._control.in_segcad():
+            with self._control.in_segworker():
                 found = call()
             self._control.check()
         except NoSuchMeasure as error:  # the program may do without it
             raise ValueError(str(error)) from None
-        except BaseException as error:  # SegCAD's own failure is no exception of the program's
+        except BaseException as error:  # the segworker's own failure is no exception of the program's
             self._end(error)
         return found
 

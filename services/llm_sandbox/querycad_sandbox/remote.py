@@ -1,7 +1,7 @@
-"""The `SegCad` port over the queue: every call is a task that some segworker does, by name.
+"""The `PartFinder` port over the queue: every call is a task that some segworker does, by name.
 
-SegCadUnavailable    no segworker answered
-SegCadFailed         a segworker answered that it cannot: `failure` says why
+SegworkerUnavailable    no segworker answered
+SegworkerFailed         a segworker answered that it cannot: `failure` says why
 """
 
 from __future__ import annotations
@@ -71,11 +71,11 @@ _PARTS = TaskOutcome[PartsPage]
 _FLOAT = TaskOutcome[float]
 
 
-class SegCadUnavailable(Exception):
+class SegworkerUnavailable(Exception):
     """No segworker answered in time."""
 
 
-class SegCadFailed(Exception):
+class SegworkerFailed(Exception):
     """A segworker cannot do what was asked."""
 
     def __init__(self, failure: TaskFailure) -> None:
@@ -87,7 +87,7 @@ class Caller(Protocol):
     """Sends a task and waits for what comes of it."""
 
     def __call__(self, name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> str | bytes:
-        """The task's TaskOutcome as JSON. Raises SegCadUnavailable, and RunEndedError when `control` ends the run."""
+        """The task's TaskOutcome as JSON. Raises SegworkerUnavailable, RunEndedError when `control` ends the run."""
         ...
 
 
@@ -100,7 +100,7 @@ class QueueCaller:
     def __call__(self, name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> bytes:
         """The task's TaskOutcome as JSON.
 
-        Raises SegCadUnavailable when no worker answered, twice, and RunEndedError when `control` ends the run.
+        Raises SegworkerUnavailable when no worker answered, twice, and RunEndedError when `control` ends the run.
         """
         for attempt in range(1, TRIES + 1):
             control.check()
@@ -116,7 +116,7 @@ class QueueCaller:
             if reply is not None:
                 return reply[1]
             log.warning("%s: no answer within %g s (attempt %d)", name.value, timeout_s, attempt)
-        raise SegCadUnavailable("no segworker answered; try again in a moment")
+        raise SegworkerUnavailable("no segworker answered; try again in a moment")
 
     def _reply(
         self, queue: Queue, message: str, task: str, timeout_s: float, control: RunControl
@@ -149,8 +149,8 @@ class QueueCaller:
         self._redis.close()
 
 
-class RemoteSegCad:
-    """Finds and measures the parts of one model, by asking a segworker. Raises SegCadUnavailable and SegCadFailed."""
+class RemotePartFinder:
+    """Finds and measures one model's parts by asking a segworker. Raises SegworkerUnavailable, SegworkerFailed."""
 
     def __init__(
         self,
@@ -227,5 +227,5 @@ class RemoteSegCad:
             raise NoSuchMeasure(done.failure.message)
         if done.failure is not None or done.value is None:
             unknown = TaskFailure(kind=TaskFailureKind.INTERNAL, message="the segworker gave neither value nor reason")
-            raise SegCadFailed(done.failure or unknown)
+            raise SegworkerFailed(done.failure or unknown)
         return done.value

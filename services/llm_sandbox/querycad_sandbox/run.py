@@ -1,6 +1,6 @@
 """One program, from its first statement to its result: answers its calls, keeps what it prints, watches its budgets.
 
-While SegCAD works on a call for long, the program is kept as a snapshot and its interpreter runs another program.
+While the segworker works long on a call, the program is kept as a snapshot and its interpreter runs another program.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ class Run:
     _printed_bytes: int = 0
     _calls: int = 0
     _waited_s: float = 0.0
-    """For SegCAD, and for an interpreter after that: not the program's time."""
+    """For the segworker, and for an interpreter after that: not the program's time."""
 
     def execute(self, interpreters: Interpreters, prelude: str, code: str, expects: AnswerType | None) -> None:
         """Runs `code`, takes the result out, and makes it plain data. Raises RunEndedError or MontyError."""

@@ -12,7 +12,16 @@ from typing import Final, Self
 
 from pydantic_monty import MontyCrashedError, MontyError
 
-from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad, Walls, WallSettings, WallsMissing
+from querycad_contracts import (
+    AnswerType,
+    PartFinder,
+    RunLimits,
+    RunOutcome,
+    RunStatus,
+    Walls,
+    WallSettings,
+    WallsMissing,
+)
 
 from .check import TypeChecker
 from .control import CANCELLED, RunControl, RunEndedError
@@ -33,8 +42,8 @@ log = logging.getLogger(__name__)
 class Sandbox:
     """Runs programs in the interpreter's processes, up to `workers` at a time; thread safe.
 
-    A program whose call to SegCAD takes long does not count: it holds no process while it waits. Processes start with
-    the first run (or `warm`) and end with `close`, or at the end of a `with` block. Start it after forking, not before.
+    A program whose call to the segworker takes long does not count: it holds no process while it waits. Processes start
+    with the first run (or `warm`) and end with `close`, or at the end of a `with` block. Start it after forking.
     """
 
     def __init__(self, workers: int = 2, walls: Walls | None = None) -> None:
@@ -87,16 +96,16 @@ class Sandbox:
     def run(
         self,
         code: str,
-        segcad: SegCad,
+        finder: PartFinder,
         limits: RunLimits = DEFAULT_LIMITS,
         expects: AnswerType | None = None,
         control: RunControl | None = None,
         check: bool = True,
     ) -> RunOutcome:
-        """What comes of `code`, run against the model behind `segcad`?
+        """What comes of `code`, run against the model behind `finder`?
 
         Raises WallsMissing, and runs nothing, where walls are required that are not up. The program's own failures are
-        outcomes. A failure of `segcad` is raised as it is: it is not the program's.
+        outcomes. A failure of `finder` is raised as it is: it is not the program's.
         A program whose interpreter crashed is run once more.
         `expects` is only named in the message when there is no fit result; whether the value is of that type is for
         the caller to say. `control` hears what the program does, and can end it. Without `check`, what does not
@@ -104,15 +113,15 @@ class Sandbox:
         """
         control = control or RunControl()
         control.begin(limits)
-        outcome = self._once(code, segcad, limits, expects, control, check)
+        outcome = self._once(code, finder, limits, expects, control, check)
         if outcome.status is RunStatus.CRASHED and not control.cancelled:  # it may be another program's doing
-            outcome = self._once(code, segcad, limits, expects, control, check)
+            outcome = self._once(code, finder, limits, expects, control, check)
         return outcome
 
     def _once(
         self,
         code: str,
-        segcad: SegCad,
+        finder: PartFinder,
         limits: RunLimits,
         expects: AnswerType | None,
         control: RunControl,
@@ -121,7 +130,7 @@ class Sandbox:
         started = perf_counter()
         interpreters, checker = self._start()
         memory_bytes = HOST_SHARE * limits.memory_bytes
-        run = Run(Guest(segcad, control, memory_bytes, "AttributeError" in code), limits, control)
+        run = Run(Guest(finder, control, memory_bytes, "AttributeError" in code), limits, control)
         try:
             _check_text(code, limits)
             if check and (problems := checker.problems(code)):

@@ -22,7 +22,7 @@ class SandboxSettings(BrokerSettings, WallSettings):
         description="Token that callers must send; needed if other machines can reach this.",
     )
     sandbox_runs: int = Field(
-        32, ge=1, le=256, description="Programs under way at the same time, those that wait for SegCAD included."
+        32, ge=1, le=256, description="Programs under way at the same time, those that wait for the segworker included."
     )
     sandbox_processes: int = Field(2, ge=1, le=64, description="Interpreters: programs that compute at the same time.")
     call_s: float = Field(20.0, gt=0, description="Seconds that the sandbox waits for a segworker, then asks again.")

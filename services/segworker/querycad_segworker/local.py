@@ -1,4 +1,4 @@
-"""The `SegCad` port on this machine: answers from artefacts, and asks the kernel only for new measurements."""
+"""The `PartFinder` port on this machine: answers from artefacts, and asks the kernel only for new measurements."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ _AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 NO_EYES = "geometry alone answered: networks that look at pictures are an extra, 'querycad[vision]'"
 
 
-class LocalSegCad:
+class LocalPartFinder:
     """Finds and measures the parts of one model. Nothing here imports the kernel."""
 
     grounding = GroundedBy.GEOMETRY
@@ -80,7 +80,7 @@ class LocalSegCad:
     def _faces(self) -> tuple[Face, ...]:
         return owned(self.artefacts.load_faces(), self.model.parts)
 
-    def grounded_by(self, grounding: GroundedBy) -> LocalSegCad:
+    def grounded_by(self, grounding: GroundedBy) -> LocalPartFinder:
         """The same model, with words turned into parts by this evidence; what is known of it is shared."""
         if grounding is self.grounding:
             return self

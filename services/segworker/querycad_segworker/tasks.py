@@ -61,7 +61,7 @@ from querycad_contracts import (
 from .errors import DiskFull, FileProblem, NotRead
 from .fusing.vision import Networks, networks_in
 from .ingest import IngestLimits, Progress, ingest
-from .local import LocalSegCad
+from .local import LocalPartFinder
 from .model import Artefacts, ModelStore, sheets_of
 from .settings import SegworkerSettings
 from .summary import summary
@@ -85,7 +85,7 @@ class ModelCache:
         self._networks = networks or networks_in(settings.weights)
         self.files = file_store(settings)
         self._store = ModelStore(settings.models)
-        self._kept: OrderedDict[str, LocalSegCad] = OrderedDict()
+        self._kept: OrderedDict[str, LocalPartFinder] = OrderedDict()
 
     def artefacts(self, model: str) -> Artefacts:
         """What is kept of an uploaded model. Raises NotRead where an ingest has to read its file first."""
@@ -165,10 +165,10 @@ class ModelCache:
         """What is a file of this machine called in the store?"""
         return path.relative_to(self.files.home).as_posix()
 
-    def segcad(self, model: str) -> LocalSegCad:
+    def finder(self, model: str) -> LocalPartFinder:
         """The recognised model. Raises FileProblem."""
         if model not in self._kept:
-            self._kept[model] = LocalSegCad(
+            self._kept[model] = LocalPartFinder(
                 self.artefacts(model), networks=self._networks, keep=self._keep, fetch=self._fetch
             )
         self._kept.move_to_end(model)
@@ -198,60 +198,60 @@ class Tasks:
 
     def shape(self, task: ModelTask) -> Shape:
         """What is the whole model?"""
-        return self.cache.segcad(task.model).shape()
+        return self.cache.finder(task.model).shape()
 
     def find_parts(self, task: FindPartsTask) -> Grounding:
         """Which parts does the description mean?"""
-        segcad = self.cache.segcad(task.model)
+        finder = self.cache.finder(task.model)
         if task.sight_alone:
-            return segcad.look(str(task.description))
-        found = segcad.grounded_by(task.grounding).find_parts(task.description, task.sides)
+            return finder.look(str(task.description))
+        found = finder.grounded_by(task.grounding).find_parts(task.description, task.sides)
         if task.grounding is not GroundedBy.GEOMETRY:  # else nothing is written
             self.cache.drop_if_deleted(task.model)
         return found
 
     def ground(self, task: GroundTask) -> GroundedParts:
         """In which ways can the queries of a question be grounded on the model?"""
-        segcad = self.cache.segcad(task.model).grounded_by(task.grounding)
-        ways = segcad.ground(task.queries)
+        finder = self.cache.finder(task.model).grounded_by(task.grounding)
+        ways = finder.ground(task.queries)
         if task.grounding is not GroundedBy.GEOMETRY:  # else nothing is written
             self.cache.drop_if_deleted(task.model)
         parts = {part.id: _bare(part) for each in ways for way in each for part in way.parts}
         return GroundedParts(
-            whole=_bare(segcad.whole),
-            names=tuple(sorted(segcad.names)),
-            kinds=segcad.kinds,
+            whole=_bare(finder.whole),
+            names=tuple(sorted(finder.names)),
+            kinds=finder.kinds,
             parts=tuple(parts.values()),
             ways=tuple(tuple(_by_ids(way) for way in each) for each in ways),
         )
 
     def faces(self, task: FacesTask) -> tuple[Face, ...]:
         """What are these faces?"""
-        return self.cache.segcad(task.model).faces(task.ids)
+        return self.cache.finder(task.model).faces(task.ids)
 
     def find_faces(self, task: FindFacesTask) -> FoundFaces:
         """Which faces are so?"""
-        return self.cache.segcad(task.model).find_faces(task.query)
+        return self.cache.finder(task.model).find_faces(task.query)
 
     def extent(self, task: ExtentTask) -> float:
         """How far does a part extend along a direction, in metres?"""
-        return self.cache.segcad(task.model).extent(task.part, task.direction)
+        return self.cache.finder(task.model).extent(task.part, task.direction)
 
     def distance(self, task: DistanceTask) -> float:
         """How far apart are the surfaces of two parts, in metres?"""
-        return self.cache.segcad(task.model).distance(task.part_a, task.part_b)
+        return self.cache.finder(task.model).distance(task.part_a, task.part_b)
 
     def overlap(self, task: DistanceTask) -> float:
         """Which volume do two bodies share, in m3?"""
-        return self.cache.segcad(task.model).overlap(task.part_a, task.part_b)
+        return self.cache.finder(task.model).overlap(task.part_a, task.part_b)
 
     def edge_distance(self, task: EdgeDistanceTask) -> float:
         """How far is a part from the outer edge of its face, in metres?"""
-        return self.cache.segcad(task.model).edge_distance(task.part)
+        return self.cache.finder(task.model).edge_distance(task.part)
 
     def parts(self, task: PartsTask) -> PartsPage:
         """Which parts does the model have? All of them, or one page, by id."""
-        parts = self.cache.segcad(task.model).model.parts
+        parts = self.cache.finder(task.model).model.parts
         ids = set(task.ids)
         wanted = [part for part in parts if task.kind in (None, part.kind) and (not ids or part.id in ids)]
         end = None if task.limit is None else task.offset + task.limit
@@ -281,14 +281,14 @@ class Tasks:
 
     def mark(self, task: MarkTask) -> tuple[MarkedPicture, ...]:
         """Draws the pictures that eyes are shown; their files are with the model's in the store."""
-        segcad = self.cache.segcad(task.model)
-        made = segcad.marked(task.asked)
+        finder = self.cache.finder(task.model)
+        made = finder.marked(task.asked)
         self.cache.drop_if_deleted(task.model)
-        return tuple(one.model_copy(update={"name": self.cache.name_of(segcad.picture_file(one.name))}) for one in made)
+        return tuple(one.model_copy(update={"name": self.cache.name_of(finder.picture_file(one.name))}) for one in made)
 
     def sight(self, task: SightTask) -> bool:
         """Keeps what eyes saw."""
-        self.cache.segcad(task.model).keep_sight(task.sight)
+        self.cache.finder(task.model).keep_sight(task.sight)
         self.cache.drop_if_deleted(task.model)
         return True
 

@@ -86,7 +86,7 @@ def test_how_a_program_ends_is_no_error_of_the_request(client: httpx.Client, mod
     ("status", "sent", "answered", "title"),
     [
         (503, {"title": "Busy", "status": 503, "detail": "too many runs", "retryable": True}, 503, "too many runs"),
-        (422, {"title": "SegCAD failed", "status": 422, "detail": "the file is broken"}, 422, "the file is broken"),
+        (422, {"title": "Segworker failed", "status": 422, "detail": "the file is broken"}, 422, "the file is broken"),
         (500, "no problem at all", 503, "the sandbox does not answer"),
     ],
 )

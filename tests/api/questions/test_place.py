@@ -13,7 +13,7 @@ from tests.querycad.sidecar_eyes import SidecarEyes
 from querycad_answering.eyes.mark_voting import Eyes
 from querycad_answering.llm.messages import TimeLimit
 from querycad_answering.llm.settings import LlmSettings
-from querycad_api.questions.segcad import LOOK_S, SegcadClient
+from querycad_api.questions.segworker import LOOK_S, SegworkerClient
 from querycad_contracts import FolderStore, ModelTask, PictureRequest, Queue, TaskName, TaskOutcome, queue_of
 from querycad_segworker.settings import SegworkerSettings
 from querycad_segworker.tasks import Tasks, make_tasks
@@ -21,7 +21,7 @@ from querycad_segworker.tasks import Tasks, make_tasks
 T = TypeVar("T")
 
 
-class Segworker(SegcadClient):
+class Segworker(SegworkerClient):
     """A client whose segworker is in this process: tasks and outcomes travel as the text that they are in the store."""
 
     def __init__(self, tasks: Tasks) -> None:

@@ -11,7 +11,7 @@ from querycad_contracts import PartKind, Sight, Sighted
 from querycad_segworker.eyes.candidates import candidates
 from querycad_segworker.eyes.pictures import A_PICTURE, PICTURES, SIZE, draw, plan
 from querycad_segworker.ingest import ingest
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import ModelStore
 from querycad_segworker.visibility.raycast import Scene
@@ -20,11 +20,13 @@ ROOT = Path(__file__).parents[3]
 
 
 @pytest.fixture(scope="module")
-def bracket(tmp_path_factory: pytest.TempPathFactory) -> LocalSegCad:
-    return LocalSegCad(ingest(ROOT / "examples/bracket.step", ModelStore(tmp_path_factory.mktemp("models"))))
+def bracket(tmp_path_factory: pytest.TempPathFactory) -> LocalPartFinder:
+    return LocalPartFinder(ingest(ROOT / "examples/bracket.step", ModelStore(tmp_path_factory.mktemp("models"))))
 
 
-def test_every_feature_and_large_free_face_is_a_candidate_once_and_no_edge_or_group_is(bracket: LocalSegCad) -> None:
+def test_every_feature_and_large_free_face_is_a_candidate_once_and_no_edge_or_group_is(
+    bracket: LocalPartFinder,
+) -> None:
     listed, left = candidates(bracket.model.parts, bracket._faces)
     by_id = {part.id: part for part in bracket.model.parts}
     kinds = {by_id[one.part].kind for one in listed if one.part in by_id}
@@ -37,7 +39,7 @@ def test_every_feature_and_large_free_face_is_a_candidate_once_and_no_edge_or_gr
     assert set(large) <= covered
 
 
-def test_few_marks_share_a_picture_and_every_candidate_that_is_seen_has_one(bracket: LocalSegCad) -> None:
+def test_few_marks_share_a_picture_and_every_candidate_that_is_seen_has_one(bracket: LocalPartFinder) -> None:
     listed, _ = candidates(bracket.model.parts, bracket._faces)
     mesh = Mesh.load(bracket.artefacts.mesh)
     planned = plan(mesh, listed, Scene(mesh, threads=1))
@@ -48,7 +50,7 @@ def test_few_marks_share_a_picture_and_every_candidate_that_is_seen_has_one(brac
     assert {one.part for one in listed if one.part in seen} <= shown
 
 
-def test_a_leader_ends_on_its_part_and_balloons_stand_apart(bracket: LocalSegCad) -> None:
+def test_a_leader_ends_on_its_part_and_balloons_stand_apart(bracket: LocalPartFinder) -> None:
     listed, _ = candidates(bracket.model.parts, bracket._faces)
     mesh = Mesh.load(bracket.artefacts.mesh)
     scene = Scene(mesh, threads=1)
@@ -70,7 +72,7 @@ def test_a_leader_ends_on_its_part_and_balloons_stand_apart(bracket: LocalSegCad
         assert np.allclose(drawn - drawn.mean(), (there - there.mean()) * pixels_per_m, atol=8)
 
 
-def test_pictures_are_drawn_once_and_the_sidecar_says_what_the_numbers_are(bracket: LocalSegCad) -> None:
+def test_pictures_are_drawn_once_and_the_sidecar_says_what_the_numbers_are(bracket: LocalPartFinder) -> None:
     first = bracket.marked()
     stamps = [bracket.picture_file(one.name).stat().st_mtime_ns for one in first]
     assert bracket.marked() == first
@@ -78,7 +80,7 @@ def test_pictures_are_drawn_once_and_the_sidecar_says_what_the_numbers_are(brack
     assert all(bracket.png(one.name).startswith(b"\x89PNG") for one in first)
 
 
-def test_what_was_seen_is_kept_by_phrase_and_leads_to_exact_faces(bracket: LocalSegCad) -> None:
+def test_what_was_seen_is_kept_by_phrase_and_leads_to_exact_faces(bracket: LocalPartFinder) -> None:
     hole = next(part for part in bracket.model.parts if part.kind is PartKind.HOLE)
     names = tuple(one.name for one in bracket.marked())[:2]
     found = (Sighted(part=hole.id, score=0.8, views=("top",)), Sighted(part="faces-2", score=0.7, views=("back",)))
@@ -92,7 +94,7 @@ def test_what_was_seen_is_kept_by_phrase_and_leads_to_exact_faces(bracket: Local
     assert bracket.look("other emblem").seen_by == ""
 
 
-def test_a_sight_of_parts_that_the_model_does_not_have_is_refused(bracket: LocalSegCad) -> None:
+def test_a_sight_of_parts_that_the_model_does_not_have_is_refused(bracket: LocalPartFinder) -> None:
     for name in ("hole-999", "faces-99999", "../../etc/passwd"):
         with pytest.raises(KeyError):
             bracket.keep_sight(Sight(phrase="x", by="y", found=(Sighted(part=name, score=1.0, views=()),)))

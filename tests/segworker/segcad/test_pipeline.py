@@ -13,7 +13,7 @@ from tests.segworker.shapes import Found, cut, cylinder, find, plate, write_step
 from querycad_contracts import AnswerRecord, GroundedBy, Side, Status
 from querycad_segworker.fusing.vision import networks_in
 from querycad_segworker.ingest import ingest
-from querycad_segworker.local import LocalSegCad
+from querycad_segworker.local import LocalPartFinder
 from querycad_segworker.model import ModelStore
 from querycad_segworker.render.evidence import draw_evidence
 from querycad_segworker.segcad.engines.known import KnownParts
@@ -105,16 +105,16 @@ def test_every_stage_has_its_picture_and_discarded_masks_are_grey(drilled: Found
 
 
 @pytest.fixture(scope="module")
-def ingested(tmp_path_factory: pytest.TempPathFactory) -> LocalSegCad:
+def ingested(tmp_path_factory: pytest.TempPathFactory) -> LocalPartFinder:
     folder = tmp_path_factory.mktemp("sight")
     shape = cut(plate(), cylinder(6, 30, (-18, 0, -25)), cylinder(5, 10, (18, 0, -20)))
     artefacts = ingest(write_step(folder / "plate.step", shape), ModelStore(folder / "store"))
     faces = [part.faces for part in artefacts.load_model().parts if part.kind == "hole" and "through" in part.tags]
     known = KnownParts(len(artefacts.load_faces()), faces)
-    return LocalSegCad(artefacts, networks=lambda: known.models)
+    return LocalPartFinder(artefacts, networks=lambda: known.models)
 
 
-def test_vision_finds_what_geometry_has_no_word_for(ingested: LocalSegCad) -> None:
+def test_vision_finds_what_geometry_has_no_word_for(ingested: LocalPartFinder) -> None:
     assert not ingested.find_parts("quux").understood
     for mode in (GroundedBy.VISION, GroundedBy.FUSED):
         (part,) = ingested.grounded_by(mode).find_parts("quux").parts
@@ -124,7 +124,7 @@ def test_vision_finds_what_geometry_has_no_word_for(ingested: LocalSegCad) -> No
     assert ingested.grounded_by(GroundedBy.VISION).find_parts("quux", [Side.LEFT]).parts == ()
 
 
-def test_an_answer_s_picture_shows_below_what_vision_saw(ingested: LocalSegCad, tmp_path: Path) -> None:
+def test_an_answer_s_picture_shows_below_what_vision_saw(ingested: LocalPartFinder, tmp_path: Path) -> None:
     record = AnswerRecord(
         question="?",
         status=Status.ANSWERED,
@@ -141,14 +141,14 @@ def test_an_answer_s_picture_shows_below_what_vision_saw(ingested: LocalSegCad, 
         assert picture.height > 1000 + 1000, "the marked model, and six views below it"
 
 
-def test_fused_keeps_what_geometry_knows_and_says_where_vision_differs(ingested: LocalSegCad) -> None:
+def test_fused_keeps_what_geometry_knows_and_says_where_vision_differs(ingested: LocalPartFinder) -> None:
     parts = ingested.grounded_by(GroundedBy.FUSED).find_parts("hole").parts
     assert sorted(part.evidence.source for part in parts) == ["fused", "geometry"]
     assert {part.id for part in parts} == {part.id for part in ingested.find_parts("hole").parts}
 
 
-def test_absent_weights_are_a_state_that_is_told(ingested: LocalSegCad, tmp_path: Path) -> None:
-    blind = LocalSegCad(ingested.artefacts, networks=networks_in(tmp_path / "no weights"))
+def test_absent_weights_are_a_state_that_is_told(ingested: LocalPartFinder, tmp_path: Path) -> None:
+    blind = LocalPartFinder(ingested.artefacts, networks=networks_in(tmp_path / "no weights"))
     for mode in (GroundedBy.VISION, GroundedBy.FUSED):
         found = blind.grounded_by(mode).find_parts("hole")
         assert [part.id for part in found.parts] == [part.id for part in ingested.find_parts("hole").parts]
@@ -159,7 +159,7 @@ def test_absent_weights_are_a_state_that_is_told(ingested: LocalSegCad, tmp_path
         assert "vision cannot look: no weights" in missing.message
 
 
-def test_parts_that_were_seen_can_be_measured(ingested: LocalSegCad) -> None:
+def test_parts_that_were_seen_can_be_measured(ingested: LocalPartFinder) -> None:
     hole = next(part for part in ingested.model.parts if part.kind == "hole")
     same = "faces-" + "+".join(str(face) for face in hole.faces)
     assert ingested.distance(same, hole.id) == 0.0

@@ -53,7 +53,7 @@ from querycad_contracts import (
 from querycad_contracts.workers import STORE_PAUSE_S
 
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
-from .segcad import SegcadClient
+from .segworker import SegworkerClient
 
 ATTEMPTS = 2
 """A question that has taken its worker with it twice will do so again."""
@@ -105,12 +105,12 @@ class Questions:
         settings: ApiSettings,
         ledger: Ledger | None = None,
         sandbox: SandboxClient | None = None,
-        segcad: SegcadClient | None = None,
+        segworker: SegworkerClient | None = None,
     ) -> None:
         self._settings = settings
         self._ledger = ledger
         self._sandbox = sandbox
-        self._segcad = segcad
+        self._segworker = segworker
         self._llm = LlmWriter(settings)
         self._files = file_store(settings)
 
@@ -124,9 +124,9 @@ class Questions:
         return Redis.from_url(self._settings.redis_url, decode_responses=True, retry=patience)
 
     @cached_property
-    def segcad(self) -> SegcadClient:
+    def segworker(self) -> SegworkerClient:
         """Who knows what words mean on a model."""
-        return self._segcad or SegcadClient(self._redis())
+        return self._segworker or SegworkerClient(self._redis())
 
     @cached_property
     def sandbox(self) -> SandboxClient:
@@ -188,7 +188,7 @@ class Questions:
     def filled(self, task: ParametersTask) -> TaskOutcome[ParameterSet]:
         """What are the parameters of a model?"""
         asked, grounding = task.asked, task.asked.grounding
-        other = cache(partial(self.segcad.parts, asked.other)) if asked.other is not None else None
+        other = cache(partial(self.segworker.parts, asked.other)) if asked.other is not None else None
 
         def run(program: Program) -> RunOutcome:
             return self.sandbox.run(program, task.model, grounding)
@@ -209,8 +209,8 @@ class Questions:
 
     def _view(self, task: ModelTask, summary: ModelSummary, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
         """What readings are ranked on; all parts are fetched only where a description is asked for."""
-        view = self.segcad.view(task.model, grounding)
-        return replace(view, contents=cache(lambda: (summary, self.segcad.parts(task.model))))
+        view = self.segworker.view(task.model, grounding)
+        return replace(view, contents=cache(lambda: (summary, self.segworker.parts(task.model))))
 
     def _finish(self, task: QuestionTask, job: Begun, record: AnswerRecord) -> None:
         took_s = job.age_s
@@ -237,7 +237,7 @@ class Questions:
 
         try:
             view = self._view(task, summary, task.grounding)
-            place = self.segcad.place(task.model, self._files)
+            place = self.segworker.place(task.model, self._files)
             llm = self._llm.resuming(self.ledger.transcript(task.job))
             record = answer_question(task.question, run, view, task.unit, task, summary=summary, llm=llm, place=place)
         except RunRefused as refused:

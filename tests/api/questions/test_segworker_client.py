@@ -9,7 +9,7 @@ from redis import Redis
 from tests.api.fakes import MODEL, FakeSegworker
 
 from querycad_api.questions.sandbox import SandboxUnavailable
-from querycad_api.questions.segcad import SegcadClient
+from querycad_api.questions.segworker import SegworkerClient
 from querycad_contracts import GroundedBy, GroundTask, PartQuery, Queue, TaskName, queue_of
 
 
@@ -22,7 +22,7 @@ def segworker(redis_url: str) -> Iterator[FakeSegworker]:
 
 
 def test_all_queries_of_a_question_are_one_call(redis: Redis, segworker: FakeSegworker) -> None:
-    client = SegcadClient(redis)
+    client = SegworkerClient(redis)
     view = client.view(MODEL)
     assert view.whole.kind == "model"
     queries = (PartQuery(noun="hole"), PartQuery(noun="slot"))
@@ -34,9 +34,9 @@ def test_all_queries_of_a_question_are_one_call(redis: Redis, segworker: FakeSeg
 
 
 def test_a_store_without_segworkers_is_said_to_be_unavailable(redis: Redis, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("querycad_api.questions.segcad.CALL_S", 0.1)
+    monkeypatch.setattr("querycad_api.questions.segworker.CALL_S", 0.1)
     with pytest.raises(SandboxUnavailable):
-        SegcadClient(redis).view(MODEL)
+        SegworkerClient(redis).view(MODEL)
 
 
 def test_looking_does_not_hold_up_what_takes_milliseconds() -> None:

@@ -54,7 +54,7 @@ _KEPT = TaskOutcome[bool]
 T = TypeVar("T")
 
 
-class SegcadClient:
+class SegworkerClient:
     """Asks segworkers over the queue; for one process, one question at a time."""
 
     def __init__(self, redis: Redis) -> None:
@@ -119,7 +119,7 @@ class SegcadClient:
 class ModelPlace:
     """A model whose pictures segworkers draw, and by whom what was seen is kept: the port of eyes, over the queue."""
 
-    def __init__(self, client: SegcadClient, model: str, files: FileStore) -> None:
+    def __init__(self, client: SegworkerClient, model: str, files: FileStore) -> None:
         self._client = client
         self._model = model
         self._files = files
