@@ -11,7 +11,8 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
-from querycad_contracts import ViewName, end_with_parent
+from querycad_contracts import ViewName
+from querycad_contracts.infrastructure import end_with_parent
 from querycad_segworker.kernel_process import ONE_THREAD
 
 HEIGHT = 400

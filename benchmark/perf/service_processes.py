@@ -14,7 +14,7 @@ from pathlib import Path
 
 import psutil
 
-from querycad_contracts import end_with_parent
+from querycad_contracts.infrastructure import end_with_parent
 
 START_S = 120.0
 STOP_S = 60.0

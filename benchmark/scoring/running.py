@@ -10,7 +10,7 @@ from itertools import groupby
 from pathlib import Path
 from time import perf_counter
 
-from querycad_contracts import end_with_parent
+from querycad_contracts.infrastructure import end_with_parent
 
 from .failures import Override
 from .items import BadBenchmark, Benchmark, Item

@@ -24,7 +24,7 @@ from tests.api.fakes import STEP
 from querycad.client import Client
 from querycad_api.app import make_app
 from querycad_api.settings import ApiSettings
-from querycad_contracts import FileStore, StorageSettings, file_store, files
+from querycad_contracts.infrastructure import FileStore, StorageSettings, file_store, files
 
 EXAMPLE = Path("examples/flange.step")
 END_S = 30.0

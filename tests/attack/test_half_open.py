@@ -15,7 +15,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from querycad_contracts import end_with_parent
+from querycad_contracts.infrastructure import end_with_parent
 
 FILES = 1024
 HALF_OPEN = 1000

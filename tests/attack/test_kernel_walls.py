@@ -13,7 +13,7 @@ import landlockpy
 import pytest
 import seccompy
 
-from querycad_contracts import Walls, WallsMissing
+from querycad_contracts.infrastructure import Walls, WallsMissing
 from querycad_segworker import kernel_process
 from querycad_segworker.ingest import ingest
 from querycad_segworker.kernel_process import _host, host_missing, missing_walls, start_host

@@ -35,8 +35,8 @@ from querycad_contracts import (
     TaskFailure,
     TaskFailureKind,
     TaskOutcome,
-    file_store,
 )
+from querycad_contracts.infrastructure import file_store
 from querycad_segworker import tasks
 from querycad_segworker.model import Artefacts, ModelStore
 from querycad_segworker.settings import SegworkerSettings

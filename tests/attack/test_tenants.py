@@ -11,7 +11,8 @@ from redis.asyncio import Redis
 
 from querycad_api.store.keyspace import key_of
 from querycad_api.store.state import State
-from querycad_contracts import IngestTask, QuestionTask, RunStatus, keep_private
+from querycad_contracts import IngestTask, QuestionTask, RunStatus
+from querycad_contracts.infrastructure import keep_private
 from querycad_sandbox.outcomes import Ending
 from querycad_sandbox.run import Run
 from querycad_sandbox.sandbox import Sandbox

@@ -13,7 +13,8 @@ import landlockpy
 import pytest
 import seccompy
 
-from querycad_contracts import PartFinder, Walls, WallsMissing
+from querycad_contracts import PartFinder
+from querycad_contracts.infrastructure import Walls, WallsMissing
 from querycad_sandbox.app import make_app
 from querycad_sandbox.sandbox import Sandbox
 from querycad_sandbox.settings import SandboxSettings

@@ -16,7 +16,7 @@ import yaml
 from querycad.serve import Ports, commands
 from querycad_answering.llm.settings import LlmSettings
 from querycad_api.settings import ApiSettings
-from querycad_contracts import Settings
+from querycad_contracts.infrastructure import Settings
 from querycad_sandbox.settings import SandboxSettings
 from querycad_segworker.settings import SegworkerSettings
 

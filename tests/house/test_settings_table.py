@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 from querycad_api.settings import ApiSettings
-from querycad_contracts import Settings
+from querycad_contracts.infrastructure import Settings
 from querycad_sandbox.settings import SandboxSettings
 from querycad_segworker.settings import SegworkerSettings
 

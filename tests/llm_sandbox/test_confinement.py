@@ -13,7 +13,7 @@ import landlockpy
 import pytest
 import seccompy
 
-from querycad_contracts import walls
+from querycad_contracts.infrastructure import walls
 from querycad_sandbox.walls.confinement import LIMITS, Confinement, landlock_ruleset, seccomp_program
 
 LAUNCHER = Path(walls.__file__).read_text(encoding="utf-8")

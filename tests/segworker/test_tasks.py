@@ -18,7 +18,6 @@ from redis import Redis
 
 from querycad_contracts import (
     AnswerRecord,
-    FolderStore,
     GroundedParts,
     GroundTask,
     Part,
@@ -26,11 +25,9 @@ from querycad_contracts import (
     ReadingStage,
     Status,
     TaskName,
-    compressed_name,
-    models_name,
-    picture_name,
     reply_key,
 )
+from querycad_contracts.infrastructure import FolderStore, compressed_name, models_name, picture_name
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.ingest import ingest
 from querycad_segworker.segcad.engines.known import KnownParts

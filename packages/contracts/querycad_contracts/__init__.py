@@ -1,4 +1,8 @@
-"""What QueryCAD's services owe each other: immutable pydantic models, SI units, no behaviour."""
+"""What QueryCAD's services owe each other: immutable pydantic models in SI units, and the port between two of them.
+
+The few functions here say what a contract means: how a file's kind is told, which queue a task is sent to, how
+the guest API reads. `infrastructure` has what services run on alike: settings, logs, files, workers, walls.
+"""
 
 from .answers import (
     Agreement,
@@ -35,7 +39,6 @@ from .drawings import (
     TableKind,
 )
 from .file_kinds import HEAD_BYTES, FileKind, file_kind, is_3mf, no_kind
-from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
     Body,
     Bottom,
@@ -55,7 +58,6 @@ from .geometry import (
     Vector,
     Weighed,
 )
-from .logs import LogFormat, current_request, start_logging, working_for
 from .parameters import (
     ParameterRequest,
     ParameterSet,
@@ -64,7 +66,6 @@ from .parameters import (
     ParameterValue,
     ReferenceFrame,
 )
-from .processes import end_with_parent, keep_private
 from .queries import FaceQuery, Grounded, Line, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .resources import (
     GuestAnswer,
@@ -98,7 +99,6 @@ from .runs import (
     RunLimits,
     RunOutcome,
     RunStatus,
-    WallsMissing,
 )
 from .services import (
     NO_ACCOUNTS,
@@ -134,22 +134,10 @@ from .services import (
     ViewName,
     ViewTask,
     alive_key,
+    current_request,
     queue_of,
     reply_key,
     stage_key,
-)
-from .settings import (
-    BrokerSettings,
-    Settings,
-    StorageSettings,
-    Walls,
-    WallSettings,
-    WorkerSettings,
-    compressed_name,
-    models_name,
-    picture_name,
-    upload_name,
+    working_for,
 )
 from .sights import MarkedPicture, MarkTask, PlacedMark, Sight, Sighted, SightTask, needs_eyes
-from .task_messages import task_message
-from .tracing import carried_trace, carry_trace, start_tracing

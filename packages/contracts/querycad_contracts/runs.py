@@ -11,7 +11,6 @@ from pydantic import Field
 from .answers import MissingAttribute
 from .geometry import Face, Frozen, Part, Shape, Side, Vector
 from .queries import FaceQuery, Grounded, PartQuery
-from .settings import Walls, WallSettings
 
 RunId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one run; whoever starts it may choose it.")]
 
@@ -116,18 +115,6 @@ class RunStatus(StrEnum):
     REFUSED = "refused"
     CANCELLED = "cancelled"
     CRASHED = "crashed"
-
-
-class WallsMissing(RuntimeError):
-    """Nothing is done: walls around what would do it are not up, and nobody said that it may do without."""
-
-    def __init__(self, undone: str, around: str, missing: Sequence[str]) -> None:
-        """`undone`: what is not done, as a sentence's start, such as 'no program is run'."""
-        variable = WallSettings.variable("walls")
-        super().__init__(
-            f"{undone}: these walls around {around} are not up: {', '.join(missing)}; "
-            f"{variable}={Walls.AVAILABLE} does without them"
-        )
 
 
 class RunLimits(Frozen):

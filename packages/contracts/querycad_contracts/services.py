@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from enum import StrEnum
 from typing import Annotated, Generic, TypeVar
 from uuid import uuid4
@@ -10,11 +13,11 @@ from pydantic import Field
 
 from .answers import AnswerOptions, AnswerRecord, AnswerType, LengthUnit
 from .geometry import Frozen, GroundedBy, Part, PartKind, Shape, Side, Vector
-from .logs import current_request
 from .queries import FaceQuery, Grounded, PartQuery
 from .runs import RunId, RunLimits
 
 T = TypeVar("T")
+_REQUEST: ContextVar[str] = ContextVar("querycad_request", default="")
 
 ModelId = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$", description="SHA-256 of the file's bytes, hexadecimal.")]
 JobId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one asked question, and of its answer.")]
@@ -103,6 +106,21 @@ class ReadingStage(StrEnum):
     TESSELLATE = "tessellate"
     LOOK = "look"
     RECOGNISE = "recognise"
+
+
+def current_request() -> str:
+    """Which HTTP request is being worked for? Empty when none is."""
+    return _REQUEST.get()
+
+
+@contextmanager
+def working_for(request: str) -> Iterator[None]:
+    """Notes in this context that all that is done now is for the HTTP request of that id."""
+    token = _REQUEST.set(request)
+    try:
+        yield
+    finally:
+        _REQUEST.reset(token)
 
 
 class ModelTask(Frozen):

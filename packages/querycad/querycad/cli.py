@@ -8,7 +8,7 @@ import os
 import sys
 from collections.abc import Sequence
 
-from querycad_contracts import WallsMissing
+from querycad_contracts.infrastructure import WallsMissing
 
 from .commands.arguments import make_parser
 from .commands.outcomes import EXIT_FAILED, complain

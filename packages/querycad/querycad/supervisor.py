@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from querycad_contracts import end_with_parent
+from querycad_contracts.infrastructure import end_with_parent
 
 LOG_BYTES = 10 * 2**20
 """A log longer than this is begun anew, and the old one kept beside it, when its process starts."""

@@ -20,7 +20,8 @@ from pydantic.json_schema import models_json_schema
 from redis.asyncio import Redis
 from starlette.middleware.cors import CORSMiddleware
 
-from querycad_contracts import JobEvent, Problem, file_store, keep_private, start_logging, start_tracing
+from querycad_contracts import JobEvent, Problem
+from querycad_contracts.infrastructure import file_store, keep_private, start_logging, start_tracing
 
 from .accounts.gate import Gate
 from .accounts.service import Access

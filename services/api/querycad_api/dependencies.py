@@ -12,7 +12,8 @@ from typing import Annotated, cast
 
 from fastapi import Depends, Header, Query, Request
 
-from querycad_contracts import FileStore, Job, ModelResource, ModelStatus
+from querycad_contracts import Job, ModelResource, ModelStatus
+from querycad_contracts.infrastructure import FileStore
 
 from .accounts.dependencies import CallerDep
 from .accounts.schemas import Caller

@@ -8,7 +8,7 @@ from pathlib import Path
 from pydantic import Field, SecretStr
 
 from querycad_answering.llm import LlmSettings
-from querycad_contracts import StorageSettings, WorkerSettings
+from querycad_contracts.infrastructure import StorageSettings, WorkerSettings
 
 
 class ApiSettings(WorkerSettings, StorageSettings, LlmSettings):

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from celery import Celery
 
-from querycad_contracts import Queue, keep_private
-from querycad_contracts.workers import worker_app
+from querycad_contracts import Queue
+from querycad_contracts.infrastructure import keep_private
+from querycad_contracts.infrastructure.workers import worker_app
 
 from .models import tasks as models
 from .questions import tasks as questions

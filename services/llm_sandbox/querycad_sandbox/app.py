@@ -38,11 +38,9 @@ from querycad_contracts import (
     RunRequest,
     RunStarted,
     TaskFailureKind,
-    Walls,
-    WallsMissing,
-    carry_trace,
     working_for,
 )
+from querycad_contracts.infrastructure import Walls, WallsMissing, carry_trace
 
 from .control import RunControl
 from .remote import Caller, QueueCaller, RemotePartFinder, SegworkerFailed, SegworkerUnavailable

@@ -45,8 +45,8 @@ from querycad_contracts import (
     Vector,
     queue_of,
     reply_key,
-    task_message,
 )
+from querycad_contracts.infrastructure import task_message
 
 from .control import RunControl
 from .settings import SandboxSettings

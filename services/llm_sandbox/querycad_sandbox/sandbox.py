@@ -12,16 +12,8 @@ from typing import Final, Self
 
 from pydantic_monty import MontyCrashedError, MontyError
 
-from querycad_contracts import (
-    AnswerType,
-    PartFinder,
-    RunLimits,
-    RunOutcome,
-    RunStatus,
-    Walls,
-    WallSettings,
-    WallsMissing,
-)
+from querycad_contracts import AnswerType, PartFinder, RunLimits, RunOutcome, RunStatus
+from querycad_contracts.infrastructure import Walls, WallSettings, WallsMissing
 
 from .check import TypeChecker
 from .control import CANCELLED, RunControl, RunEndedError

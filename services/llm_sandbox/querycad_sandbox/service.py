@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 import sys
 
-from querycad_contracts import start_logging
+from querycad_contracts.infrastructure import start_logging
 
 from .settings import LOOPBACK, SandboxSettings
 from .walls.enclosure import clean_environment, enclose

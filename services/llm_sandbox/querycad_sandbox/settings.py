@@ -6,7 +6,7 @@ from typing import Final
 
 from pydantic import Field, SecretStr
 
-from querycad_contracts import BrokerSettings, WallSettings
+from querycad_contracts.infrastructure import BrokerSettings, WallSettings
 
 LOOPBACK: Final = ("localhost", "127.0.0.1", "::1")
 """What a sandbox is called by who is on its machine; a page that rebinds a name of its own calls it by that."""

@@ -28,7 +28,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, BinaryIO, Final
 
-from querycad_contracts import end_with_parent
+from querycad_contracts.infrastructure import end_with_parent
 
 from . import ingest_child
 from .brep import measure

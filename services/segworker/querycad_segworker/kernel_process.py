@@ -1,8 +1,9 @@
 """Processes that work with the CAD kernel: their crash is an exit code. They are forked by `kernel_host`.
 
 One host serves this process; it is started when the first is needed, and ends with this process. A file that takes the
-kernel over is behind the walls of `querycad_contracts.walls`, as a program that takes its interpreter over is. Where
-this process is root, or may do as much, they have a user of their own, who reads what was opened for him before.
+kernel over is behind the walls of `querycad_contracts.infrastructure.walls`, as a program that takes its interpreter
+over is. Where this process is root, or may do as much, they have a user of their own, who reads what was opened for
+him before.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from types import TracebackType
 from typing import Final, Self
 
 import querycad_contracts
-from querycad_contracts import Walls, WallSettings, WallsMissing, walls
+from querycad_contracts.infrastructure import Walls, WallSettings, WallsMissing, walls
 
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 """NumPy's linear algebra starts threads when it is imported. They do not come along in a fork; and waiting for one

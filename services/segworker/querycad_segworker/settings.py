@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from querycad_contracts import StorageSettings, WallSettings, WorkerSettings
+from querycad_contracts.infrastructure import StorageSettings, WallSettings, WorkerSettings
 
 
 class SegworkerSettings(WorkerSettings, StorageSettings, WallSettings):

@@ -50,12 +50,14 @@ from querycad_contracts import (
     TaskName,
     TaskOutcome,
     ViewTask,
+    working_for,
+)
+from querycad_contracts.infrastructure import (
     WallsMissing,
     compressed_name,
     file_store,
     models_name,
     upload_name,
-    working_for,
 )
 
 from .errors import DiskFull, FileProblem, NotRead

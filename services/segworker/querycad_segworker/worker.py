@@ -31,12 +31,11 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
-    WallsMissing,
-    keep_private,
     reply_key,
     stage_key,
 )
-from querycad_contracts.workers import STORE_PAUSE_S, worker_app
+from querycad_contracts.infrastructure import WallsMissing, keep_private
+from querycad_contracts.infrastructure.workers import STORE_PAUSE_S, worker_app
 
 from .kernel_process import ONE_THREAD, missing_walls, must_be_up, start_host
 from .settings import SegworkerSettings

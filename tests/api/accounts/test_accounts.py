@@ -19,7 +19,7 @@ from querycad_api.accounts.keys import KeyRing
 from querycad_api.accounts.schemas import Scope
 from querycad_api.app import make_app
 from querycad_api.settings import ApiSettings
-from querycad_contracts import upload_name
+from querycad_contracts.infrastructure import upload_name
 
 
 @pytest.fixture

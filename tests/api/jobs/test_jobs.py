@@ -17,16 +17,8 @@ from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
 from querycad_api.store.keyspace import key_of
 from querycad_api.store.ledger import Ledger
-from querycad_contracts import (
-    NO_ACCOUNTS,
-    AnswerRecord,
-    ModelSummary,
-    QuestionTask,
-    TaskOutcome,
-    models_name,
-    picture_name,
-    upload_name,
-)
+from querycad_contracts import NO_ACCOUNTS, AnswerRecord, ModelSummary, QuestionTask, TaskOutcome
+from querycad_contracts.infrastructure import models_name, picture_name, upload_name
 
 QUESTION = "How many holes are there?"
 

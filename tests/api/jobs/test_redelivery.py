@@ -24,7 +24,8 @@ from querycad_api.store import state as keeping
 from querycad_api.store.broker import Broker
 from querycad_api.store.keyspace import DAY_S, PENDING, READING, key_of
 from querycad_api.store.state import AGAIN_S, LOST_S, State
-from querycad_contracts import FolderStore, QuestionTask
+from querycad_contracts import QuestionTask
+from querycad_contracts.infrastructure import FolderStore
 
 
 def redelivered(settings: ApiSettings) -> None:

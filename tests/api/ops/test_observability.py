@@ -19,7 +19,8 @@ from querycad_api.app import make_app
 from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
 from querycad_api.store.keyspace import key_of
-from querycad_contracts import IngestTask, LogFormat, QuestionTask, current_request, start_logging, working_for
+from querycad_contracts import IngestTask, QuestionTask, current_request, working_for
+from querycad_contracts.infrastructure import LogFormat, start_logging
 
 
 @pytest.fixture

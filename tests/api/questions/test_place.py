@@ -14,7 +14,8 @@ from querycad_answering.eyes.mark_voting import Eyes
 from querycad_answering.llm.messages import TimeLimit
 from querycad_answering.llm.settings import LlmSettings
 from querycad_api.questions.segworker import LOOK_S, SegworkerClient
-from querycad_contracts import FolderStore, ModelTask, PictureRequest, Queue, TaskName, TaskOutcome, queue_of
+from querycad_contracts import ModelTask, PictureRequest, Queue, TaskName, TaskOutcome, queue_of
+from querycad_contracts.infrastructure import FolderStore
 from querycad_segworker.settings import SegworkerSettings
 from querycad_segworker.tasks import Tasks, make_tasks
 

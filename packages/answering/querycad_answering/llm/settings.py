@@ -9,7 +9,8 @@ from urllib.parse import urlsplit
 
 from pydantic import Field, SecretStr, field_validator
 
-from querycad_contracts import Codegen, LlmOptions, Settings
+from querycad_contracts import Codegen, LlmOptions
+from querycad_contracts.infrastructure import Settings
 
 
 class LlmApi(StrEnum):

@@ -33,7 +33,8 @@ from querycad_api.problems import (
     TooManyRequests,
     responses,
 )
-from querycad_contracts import Job, JobId, JobStatus, ModelId, PartsPage, PictureTask, Queue, TaskName, picture_name
+from querycad_contracts import Job, JobId, JobStatus, ModelId, PartsPage, PictureTask, Queue, TaskName
+from querycad_contracts.infrastructure import picture_name
 
 from .service import answered, cancel
 

@@ -16,7 +16,8 @@ from fastapi.responses import Response, StreamingResponse
 from querycad_api.dependencies import Services
 from querycad_api.ops.delivery import matches
 from querycad_api.problems import RangeNotSatisfiable, ServiceUnavailable, responses
-from querycad_contracts import ModelTask, TaskName, TaskOutcome, compressed_name
+from querycad_contracts import ModelTask, TaskName, TaskOutcome
+from querycad_contracts.infrastructure import compressed_name
 
 from .service import called
 

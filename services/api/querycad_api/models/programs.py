@@ -10,7 +10,8 @@ from pydantic import ValidationError
 
 from querycad_api.dependencies import ServicesDep
 from querycad_api.problems import BODY_PROBLEMS, ModelNotReady, ModelUnreadable, ServiceUnavailable
-from querycad_contracts import ModelId, Problem, ProgramRequest, RunLimits, RunOutcome, RunRequest, carried_trace
+from querycad_contracts import ModelId, Problem, ProgramRequest, RunLimits, RunOutcome, RunRequest
+from querycad_contracts.infrastructure import carried_trace
 
 from .service import read_again
 

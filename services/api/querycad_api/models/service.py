@@ -13,18 +13,8 @@ from querycad_api.dependencies import Application, Services
 from querycad_api.problems import ModelNotReady, QuotaReached, ServiceUnavailable
 from querycad_api.store.keyspace import ModelStale
 from querycad_api.store.state import TooMuchStored
-from querycad_contracts import (
-    AnswerRecord,
-    FileStore,
-    ModelResource,
-    ModelStatus,
-    ModelTask,
-    TaskName,
-    TaskOutcome,
-    models_name,
-    picture_name,
-    upload_name,
-)
+from querycad_contracts import AnswerRecord, ModelResource, ModelStatus, ModelTask, TaskName, TaskOutcome
+from querycad_contracts.infrastructure import FileStore, models_name, picture_name, upload_name
 
 from .uploads import Received, received, shown_name
 

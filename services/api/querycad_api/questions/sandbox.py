@@ -14,16 +14,8 @@ from urllib.parse import urlsplit
 from pydantic import ValidationError
 
 from querycad_api.store.keyspace import ModelStale
-from querycad_contracts import (
-    Failure,
-    FailureCategory,
-    GroundedBy,
-    Problem,
-    Program,
-    RunOutcome,
-    RunRequest,
-    carried_trace,
-)
+from querycad_contracts import Failure, FailureCategory, GroundedBy, Problem, Program, RunOutcome, RunRequest
+from querycad_contracts.infrastructure import carried_trace
 
 CONNECT_S = 3.0
 

@@ -15,7 +15,6 @@ from querycad_api.store.keyspace import ModelStale
 from querycad_contracts import (
     Failure,
     FailureCategory,
-    FileStore,
     FindPartsTask,
     Grounded,
     GroundedBy,
@@ -38,8 +37,8 @@ from querycad_contracts import (
     TaskOutcome,
     queue_of,
     reply_key,
-    task_message,
 )
+from querycad_contracts.infrastructure import FileStore, task_message
 
 from .sandbox import RunRefused, SandboxUnavailable
 

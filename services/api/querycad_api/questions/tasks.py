@@ -46,11 +46,11 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
-    file_store,
     reply_key,
     working_for,
 )
-from querycad_contracts.workers import STORE_PAUSE_S
+from querycad_contracts.infrastructure import file_store
+from querycad_contracts.infrastructure.workers import STORE_PAUSE_S
 
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
 from .segworker import SegworkerClient

@@ -24,8 +24,8 @@ from querycad_contracts import (
     TaskOutcome,
     queue_of,
     reply_key,
-    task_message,
 )
+from querycad_contracts.infrastructure import task_message
 
 from .keyspace import ModelStale, uploaded
 from .state import READ_S

@@ -30,8 +30,8 @@ from querycad_contracts import (
     ReadingStage,
     TaskName,
     stage_key,
-    task_message,
 )
+from querycad_contracts.infrastructure import task_message
 
 from .keyspace import (
     DAY_S,

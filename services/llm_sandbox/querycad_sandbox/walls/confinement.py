@@ -1,9 +1,9 @@
 """The walls around the interpreter's processes: what is left to a program that finds a flaw in the interpreter.
 
 A process of the interpreter needs memory, its standard input and output, and nothing else. Before it starts, by
-`querycad_contracts.walls`: another user (where this one is root), resource limits, no new privileges, Landlock (it may
-open the files that it consists of, and no other; no TCP; no signals to others), seccomp (it may make the calls of
-`CALLS`), and an empty environment. Which of these the kernel has is found out by trying, and told by `layers`.
+`querycad_contracts.infrastructure.walls`: another user (where this one is root), resource limits, no new privileges,
+Landlock (it may open the files that it consists of, and no other; no TCP; no signals to others), seccomp (it may make
+the calls of `CALLS`), and an empty environment. Which of these the kernel has is found out by trying: `layers`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from typing import Final, Self
 
 from pydantic_monty._binary import find_monty_binary
 
-from querycad_contracts import walls
+from querycad_contracts.infrastructure import walls
 
 PROBE_S: Final = 10.0
 NOBODY: Final = 65534

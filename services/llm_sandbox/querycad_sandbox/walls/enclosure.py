@@ -18,7 +18,7 @@ from typing import Final
 from urllib.parse import urlsplit
 
 import querycad_contracts
-from querycad_contracts.walls import SYSTEM_FOLDERS, become
+from querycad_contracts.infrastructure.walls import SYSTEM_FOLDERS, become
 from querycad_sandbox.settings import SandboxSettings
 
 from .confinement import NOBODY, interpreter

@@ -9,8 +9,9 @@ import gc
 from collections.abc import Sequence
 from typing import Any
 
+from querycad_contracts import Queue, alive_key
+
 from .logs import start_logging
-from .services import Queue, alive_key
 from .settings import WorkerSettings
 from .tracing import start_worker_tracing
 

@@ -12,7 +12,7 @@ from http.server import BaseHTTPRequestHandler, HTTPServer
 
 import pytest
 
-from querycad_contracts import carried_trace, carry_trace
+from querycad_contracts.infrastructure import carried_trace, carry_trace
 
 OFF = """
 import sys

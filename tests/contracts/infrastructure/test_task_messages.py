@@ -13,7 +13,8 @@ import pytest
 from celery import Celery
 from redis import Redis
 
-from querycad_contracts import FindPartsTask, TaskName, carry_trace, task_message
+from querycad_contracts import FindPartsTask, TaskName
+from querycad_contracts.infrastructure import carry_trace, task_message
 
 TASK = FindPartsTask(model="0123456789abcdef" * 4, description="größte Bohrung ⌀ 5", request="r")
 OWN = ("origin", "reply_to", "delivery_tag", "kwargsrepr")

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 
-from querycad_contracts import BrokerSettings, StorageSettings, WorkerSettings
+from querycad_contracts.infrastructure import BrokerSettings, StorageSettings, WorkerSettings
 
 
 def test_a_setting_is_read_from_the_variable_of_its_name() -> None:

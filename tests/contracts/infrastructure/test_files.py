@@ -9,7 +9,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from querycad_contracts import BucketStore, FileStore, FolderStore, StorageSettings, file_store
+from querycad_contracts.infrastructure import BucketStore, FileStore, FolderStore, StorageSettings, file_store
 
 FILE = "files/ab/abcd"
 FOLDER = "models/ab/abcd/v1"

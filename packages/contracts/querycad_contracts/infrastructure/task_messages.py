@@ -12,7 +12,8 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 from uuid import uuid4
 
-from .services import ModelTask, TaskName, queue_of
+from querycad_contracts import ModelTask, TaskName, queue_of
+
 from .tracing import carried_trace
 
 _FOLLOWS = '{}, {"callbacks": null, "errbacks": null, "chain": null, "chord": null}'

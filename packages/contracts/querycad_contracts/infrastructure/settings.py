@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from enum import StrEnum
 from pathlib import Path
 from typing import Self
 
 from pydantic import Field
 
-from .geometry import Frozen
+from querycad_contracts import Frozen
+
 from .logs import LogFormat
 
 PREFIX = "QUERYCAD_"
@@ -74,6 +75,18 @@ class WallSettings(Settings):
         Walls.REQUIRED,
         description="`required`: nothing is run and no file read unless all walls are up; `available`: degraded.",
     )
+
+
+class WallsMissing(RuntimeError):
+    """Nothing is done: walls around what would do it are not up, and nobody said that it may do without."""
+
+    def __init__(self, undone: str, around: str, missing: Sequence[str]) -> None:
+        """`undone`: what is not done, as a sentence's start, such as 'no program is run'."""
+        variable = WallSettings.variable("walls")
+        super().__init__(
+            f"{undone}: these walls around {around} are not up: {', '.join(missing)}; "
+            f"{variable}={Walls.AVAILABLE} does without them"
+        )
 
 
 class BrokerSettings(Settings):

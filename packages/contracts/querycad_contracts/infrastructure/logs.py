@@ -8,14 +8,12 @@ from __future__ import annotations
 import json
 import logging
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
-from contextvars import ContextVar
 from datetime import UTC, datetime
 from enum import StrEnum
 from typing import Any
 
-_REQUEST: ContextVar[str] = ContextVar("querycad_request", default="")
+from querycad_contracts import current_request
+
 _PLAIN = frozenset(logging.makeLogRecord({}).__dict__) | {"message", "asctime", "request", "taskName"}
 """What every record has; anything else was given with `extra`."""
 
@@ -25,21 +23,6 @@ class LogFormat(StrEnum):
 
     TEXT = "text"
     JSON = "json"
-
-
-def current_request() -> str:
-    """Which HTTP request is being worked for? Empty when none is."""
-    return _REQUEST.get()
-
-
-@contextmanager
-def working_for(request: str) -> Iterator[None]:
-    """Notes in this context that all that is done now is for the HTTP request of that id."""
-    token = _REQUEST.set(request)
-    try:
-        yield
-    finally:
-        _REQUEST.reset(token)
 
 
 def start_logging(service: str, form: LogFormat = LogFormat.TEXT) -> None:

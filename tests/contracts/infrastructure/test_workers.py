@@ -10,8 +10,9 @@ import pytest
 PROGRAM = """
 import gc, os, sys
 from celery.signals import worker_before_create_process
-from querycad_contracts import Queue, WorkerSettings
-from querycad_contracts.workers import worker_app
+from querycad_contracts import Queue
+from querycad_contracts.infrastructure import WorkerSettings
+from querycad_contracts.infrastructure.workers import worker_app
 
 def private_kib():
     with open("/proc/self/smaps_rollup") as file:
