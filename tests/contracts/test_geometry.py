@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from pydantic import ValidationError
 
-from querycad_contracts import Evidence, Part, PartKind
+from querycad_contracts import Evidence, Part, PartKind, as_drawn
 
 EVIDENCE = Evidence(source="geometry", confidence=1.0, reason="")
 
@@ -42,3 +42,16 @@ def test_bosses_stand_out_and_bodies_do_not() -> None:
     assert PartKind.BOSS.stands_out
     assert not PartKind.BODY.stands_out
     assert [kind for kind in PartKind if kind.breaks_edge] == [PartKind.CHAMFER, PartKind.FILLET, PartKind.ROUND]
+
+
+@pytest.mark.parametrize(
+    ("value", "wanted", "alike"),
+    [
+        (0.01004, 0.01, True),
+        (0.01006, 0.01, False),
+        (0.001009, 0.001, True),
+        (0.001011, 0.001, False),
+    ],
+)
+def test_a_length_is_as_drawn_to_half_a_tenth_or_a_hundredth_of_it(value: float, wanted: float, alike: bool) -> None:
+    assert as_drawn(value, wanted) is alike

@@ -11,6 +11,7 @@ import pytest
 from tests.llm_sandbox.conftest import make_body, make_face, make_part, make_shape
 
 from querycad_contracts import (
+    DRAWING_M,
     AnswerType,
     Face,
     MissingAttribute,
@@ -142,6 +143,13 @@ def test_every_function_of_the_stub_takes_the_same_arguments() -> None:
         assert [each.name for each in parameters] == [a.arg for a in stubs[name].args.args]
         with_default = [each for each in parameters if each.default is None]
         assert len(with_default) == len(stubs[name].args.defaults)
+
+
+def test_two_lengths_are_close_to_drawing_accuracy_here_as_elsewhere() -> None:
+    (told,) = (
+        node.value for node in PRELUDE.body if isinstance(node, ast.Assign) and "_DRAWING_M" in ast.unparse(node)
+    )
+    assert ast.literal_eval(told) == ast.literal_eval(functions(STUB)["close"].args.defaults[-1]) == DRAWING_M
 
 
 def test_every_name_of_the_stub_is_there_at_run_time(sandbox: Sandbox, finder: FakePartFinder) -> None:

@@ -40,6 +40,7 @@ from .drawings import (
 )
 from .file_kinds import HEAD_BYTES, FileKind, file_kind, is_3mf, no_kind
 from .geometry import (
+    DRAWING_M,
     Body,
     Bottom,
     Convexity,
@@ -57,6 +58,7 @@ from .geometry import (
     SurfaceKind,
     Vector,
     Weighed,
+    as_drawn,
 )
 from .parameters import (
     ParameterRequest,

@@ -14,6 +14,13 @@ Vector = tuple[float, float, float]
 """A point (metres) or a unit direction in the frame of the file."""
 Matrix = tuple[Vector, Vector, Vector]
 """Three rows."""
+DRAWING_M = 5e-5
+"""Drawing accuracy, metres: half of a tenth of a millimetre, the last digit on drawings of machine parts."""
+
+
+def as_drawn(value: float, wanted: float) -> bool:
+    """Is a length the one that is asked for, both metres? To `DRAWING_M`, on small parts to a hundredth."""
+    return abs(value - wanted) <= min(DRAWING_M, abs(wanted) / 100)
 
 
 class Frozen(BaseModel):

@@ -222,7 +222,7 @@ class FaceQuery(Frozen):
     kind: SurfaceKind | None = None
     convexity: Convexity | None = None
     facing: Side | None = Field(None, description="Planes whose outward normal points to that side.")
-    radius: float | None = Field(None, description="To drawing accuracy, 0.05 mm, or a hundredth where that is less.")
+    radius: float | None = Field(None, description="To 0.05 mm (`DRAWING_M`), or a hundredth where that is less.")
     coaxial_with: Line | None = Field(None, description="Those around this axis, to the tolerance of recognition.")
     body: int | None = None
 

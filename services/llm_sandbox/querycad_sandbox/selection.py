@@ -21,6 +21,7 @@ from querycad_contracts import (
     Side,
     SurfaceKind,
     Vector,
+    as_drawn,
 )
 
 DESCRIPTION_CHARS: Final = 300
@@ -29,9 +30,6 @@ WORD_CHARS: Final = 40
 """Of a wrong word of the program's, in what is said of it."""
 TOLD: Final = 30
 """Kinds or tags of the model told where another was asked for."""
-DRAWING_M: Final = 5e-5
-RATIO: Final = 0.01
-"""A diameter is the one asked for to drawing accuracy, as `close` says, or a hundredth where that is less."""
 
 W = TypeVar("W", bound=StrEnum)
 
@@ -75,7 +73,7 @@ def chosen_parts(known: Sequence[Part], kind: object, tags: object, side: object
         for part in of_kind
         if all_tags.issubset(part.tags)
         and (sides is None or not set(sides).isdisjoint(part.sides))
-        and (size is None or any(_same(size, one) for one in diameters(part)))
+        and (size is None or any(as_drawn(one, size) for one in diameters(part)))
     ]
 
 
@@ -186,7 +184,3 @@ def _body(body: object) -> int | None:
 
 def _most(there: Counter[str]) -> str:
     return ", ".join(name for name, _ in there.most_common(TOLD)) or "none"
-
-
-def _same(wanted: float, value: float) -> bool:
-    return abs(value - wanted) <= min(DRAWING_M, RATIO * wanted)

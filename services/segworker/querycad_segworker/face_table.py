@@ -4,15 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import Face, FaceQuery, Line, Part, PartKind, Side
+from querycad_contracts import Face, FaceQuery, Line, Part, PartKind, Side, as_drawn
 
 from .tolerances import FACING, Tolerances
 from .vectors import dot, line_distance, parallel
-
-DRAWING_M = 5e-5
-"""Half of the last digit that drawings of machine parts have, a tenth of a millimetre: the guest API's `close`."""
-RATIO = 0.01
-"""On small parts the same is less: a hundredth."""
 
 
 def owned(faces: Sequence[Face], parts: Sequence[Part]) -> tuple[Face, ...]:
@@ -54,7 +49,7 @@ def _faces(face: Face, side: Side) -> bool:
 
 
 def _has_radius(face: Face, radius: float) -> bool:
-    return face.radius is not None and abs(face.radius - radius) <= min(DRAWING_M, RATIO * abs(radius))
+    return face.radius is not None and as_drawn(face.radius, radius)
 
 
 def _around(face: Face, line: Line, tolerances: Tolerances) -> bool:

@@ -19,7 +19,7 @@ _OUTWARD = {
 }
 _PARALLEL = 0.0017  # radians: the tolerance of recognition, 0.1 degrees
 _SHARED = 1e-12  # m3: a cube of 0.1 mm, the last digit of drawings
-_NEAR = 5e-5  # metres: drawing accuracy, as of close()
+_DRAWING_M = 5e-5  # querycad_contracts.DRAWING_M, as close() has it
 
 
 def _noted(found):
@@ -51,7 +51,7 @@ def _axis(item):
 
 
 def _same_line(one, other):
-    return _long(_cross(one[1], other[1])) <= _PARALLEL and _from_line(other[0], one) <= _NEAR
+    return _long(_cross(one[1], other[1])) <= _PARALLEL and _from_line(other[0], one) <= _DRAWING_M
 
 
 def _minus(a, b):
@@ -127,10 +127,10 @@ def around(items, center):
     rings = []
     for item in items:
         away = _from_line(item.center, line)
-        if away <= _NEAR:
+        if away <= _DRAWING_M:
             continue
         for ring in rings:
-            if ring[0] == item.kind and abs(ring[1] - away) <= _NEAR:
+            if ring[0] == item.kind and abs(ring[1] - away) <= _DRAWING_M:
                 ring[2].append(item)
                 break
         else:
@@ -159,7 +159,7 @@ def between(items, a, b):
         for i in range(3):
             low = _min(a.center[i] - a.extents[i] / 2, b.center[i] - b.extents[i] / 2)
             high = _max(a.center[i] + a.extents[i] / 2, b.center[i] + b.extents[i] / 2)
-            inside = inside and low - _NEAR <= item.center[i] <= high + _NEAR
+            inside = inside and low - _DRAWING_M <= item.center[i] <= high + _DRAWING_M
         if inside and 0 < share < 1:
             found.append(item)
     return found
@@ -240,4 +240,4 @@ def outermost(items, side=None):
         else:
             out, half = _OUTWARD[side], [extent / 2 for extent in item.extents]
             reach.append(_times(item.center, out) + abs(_times(half, out)))
-    return [item for item, far in zip(items, reach, strict=True) if far >= _max(reach) - _NEAR]
+    return [item for item, far in zip(items, reach, strict=True) if far >= _max(reach) - _DRAWING_M]

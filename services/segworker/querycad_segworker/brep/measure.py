@@ -25,7 +25,7 @@ from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Iterator, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
 
-from querycad_contracts import Vector
+from querycad_contracts import DRAWING_M, Vector
 from querycad_segworker.errors import UnreadableFile
 from querycad_segworker.vectors import box_union
 
@@ -35,8 +35,8 @@ from .faces import METRES_PER_MM
 from .moments import of_volume
 from .step import compound_of, subshapes
 
-DRAWN_MM = 0.05
-"""Half of the last digit of drawings: a body that reaches less far into another one only touches it."""
+DRAWING_MM = DRAWING_M / METRES_PER_MM
+"""A body that reaches less far into another one only touches it."""
 
 
 def save_faces(faces: Sequence[TopoDS_Face], path: Path) -> None:
@@ -113,7 +113,7 @@ def _corner_inside(one: TopoDS_Shape, other: TopoDS_Shape) -> bool:
     for vertex in subshapes(one, TopAbs_ShapeEnum.TopAbs_VERTEX):
         point = BRep_Tool.Pnt_s(TopoDS.Vertex(vertex))
         if all(low < c < high for low, c, high in zip(box[0], vector(point), box[1], strict=True)):
-            classifier.Perform(point, DRAWN_MM)
+            classifier.Perform(point, DRAWING_MM)
             if classifier.State() == TopAbs_State.TopAbs_IN:
                 return True
     return False

@@ -6,7 +6,7 @@ import colorsys
 from collections.abc import Mapping, Sequence
 from functools import partial
 
-from querycad_contracts import Measure, Part, PartKind, Relation, SizeFilter
+from querycad_contracts import DRAWING_M, Measure, Part, PartKind, Relation, SizeFilter
 from querycad_language.lexicon import Adjective, lexicon
 from querycad_segworker.relations.orders import ordered
 from querycad_segworker.relations.roles import ROLES
@@ -15,7 +15,6 @@ from .candidates import Candidate, Request, kept, through
 from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
 from .names import all_words
 
-DRAWN_M = 0.05e-3  # stated sizes are met to drawing accuracy, or to half of their last digit
 SURFACES = frozenset(kind for kind in PartKind if kind.is_surface) - {PartKind.FACE}
 """Kinds that are inner or outer by themselves: the outer cylinders are all of them, not those farthest out."""
 THREAD_M = (0.02e-3, THREAD_TOLERANCE_M)
@@ -169,13 +168,13 @@ def _of_size(way: Candidate, size: SizeFilter) -> Sequence[Candidate]:
 
 
 def compares(value: float, size: SizeFilter) -> bool:
-    """Does a value compare so with a stated size? Metres; equal is within drawing accuracy or half a per cent."""
+    """Does a value compare so with a stated size? Metres; equal is to drawing accuracy or a fifth of a per cent."""
     low, slack = size.low, min(1e-6, 1e-3 * abs(size.low))
     apart, (least, most) = abs(value - low), sorted((low, size.high or low))
     return {
-        Relation.EQUAL: apart <= max(DRAWN_M if low > 1e-3 else 0.05 * low, 0.002 * low),
+        Relation.EQUAL: apart <= max(DRAWING_M if low > 1e-3 else 0.05 * low, 0.002 * low),
         Relation.ABOUT: apart <= 0.1 * low,
-        Relation.UNEQUAL: apart > DRAWN_M,
+        Relation.UNEQUAL: apart > DRAWING_M,
         Relation.LESS: value < low - slack,
         Relation.AT_MOST: value <= low + slack,
         Relation.MORE: value > low + slack,

@@ -10,7 +10,7 @@ from querycad_segworker.vectors import cross, line_distance, norm
 TOUCH_M = 1e-6
 """Boxes nearer than this meet: above kernel noise, far below drawing accuracy."""
 RING_M = 0.1e-3
-"""Parts of one ring differ by less than this in their distance from its axis: drawing accuracy."""
+"""Parts of one ring differ by less than this in their distance from its axis: the last digit of drawings."""
 LEAST_IN_RING = 3
 """Two parts stand beside a third, three around it."""
 

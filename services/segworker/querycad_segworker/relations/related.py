@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import Part, PartKind
+from querycad_contracts import DRAWING_M, Part, PartKind
 from querycad_segworker.vectors import dot
 
 from .between import lying_between
@@ -36,7 +36,7 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
         case _ if relation in DIRECTIONS:
             axis, sign = DIRECTIONS[relation]
             first = min((sign * h.center[axis] for h in holders), default=float("inf"))
-            return [p for p in found if sign * p.center[axis] - first > 5e-5]
+            return [p for p in found if sign * p.center[axis] - first > DRAWING_M]
         case "opposite":
             normals = {h.normal for h in holders if h.normal}
             return [p for p in found if p.normal and any(dot(p.normal, normal) < -0.9 for normal in normals)]
