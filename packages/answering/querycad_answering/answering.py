@@ -39,7 +39,7 @@ from querycad_language.forms import Get
 from querycad_language.tokens import MAX_CHARS
 
 from .addressing import folded
-from .compound import Judged, clauses, together
+from .compound import clauses, together
 from .confidence import AS_ONE, BY_SIGHT_AT_MOST, OTHER_CLASS
 from .conversation import NotFollowed, not_followed, stands_alone
 from .drawing.asked_units import asked_unit, in_asked_unit, without_asked_unit
@@ -83,63 +83,41 @@ def answer_question(
     it is. `view` is what readings are ranked on, `summary` what a language model is told of the model, `place` who
     draws it for eyes, where any are set up.
     """
-    clock = _Clock()
     if (none := no_question(question)) is not None:
         return none
     question = folded(question)
-    unit = asked_unit(question) or unit
-    expect = options.expect or Expectation()
     least = LEAST_CONFIDENCE if options.least_confidence is None else options.least_confidence
-
-    def timed_run(program: Program) -> RunOutcome:
-        return clock.timed("run", partial(run, program))
-
-    def judged(program: Program, came: RunOutcome) -> Verdict:
-        return judge(program, came, unit, expect)
-
+    terms = _Terms(run, view, asked_unit(question) or unit, options.expect or Expectation(), least)
     try:
         writer = llm.chosen(options.llm)
     except LlmOptionRefused as error:
-        return _refused(question, str(error), clock, least)
+        return terms.refused(question, str(error))
     codegen = options.codegen or writer.settings.default_codegen
-    seeing = _seeing(writer, place, options.grounding is GroundedBy.EYES or codegen is Codegen.AGENT)
+    by_sight = options.grounding is GroundedBy.EYES
+    seeing = _seeing(writer, place, by_sight or codegen is Codegen.AGENT)
     if seeing is not None:
-        run = seeing.running(run)
-        view = seeing.viewing(view) if options.grounding is GroundedBy.EYES else view
+        terms = replace(terms, run=seeing.running(run), view=seeing.viewing(view) if by_sight else view)
     try:
-        asked_for, at_most = _stands_alone(question, options, run, view, unit)
+        asked_for, at_most = _stands_alone(question, options, terms)
     except NotFollowed as error:
-        return _Outcome(failure=not_followed(error)).record(question, clock, least)
-    unit, asked_for = asked_unit(asked_for) or unit, without_asked_unit(asked_for)
-    understanding = Understanding(asked_for, view, expect, at_most)
-    if (told := _told(understanding, run, view, unit, expect)) is not None:
-        return told.record(question, clock, least)
+        return terms.record(question, _Outcome(failure=not_followed(error)))
+    terms = replace(terms, unit=asked_unit(asked_for) or terms.unit)
+    understanding = Understanding(without_asked_unit(asked_for), terms.view, terms.expect, at_most)
+    if (told := _told(understanding, terms)) is not None:
+        return terms.record(question, told)
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
-        asked = clock.timed("codegen", partial(_asked_type, understanding))
-        parsed = cache(lambda: clock.timed("codegen", lambda: understanding.answered(timed_run, unit)))
-        task = Task(
-            asked_for,
-            timed_run,
-            judged,
-            summary,
-            expect,
-            asked,
-            lambda: understanding.readings,
-            lambda: _parsed(parsed()),
-            *_tools(writer.settings, seeing),
-        )
-        outcome = _with_llm(task, codegen, writer, parsed, clock)
+        outcome = _by_llm(understanding, terms, codegen, writer, summary, seeing)
     else:
-        both = _compound(understanding, run, view, unit, lambda one: judged(one, timed_run(one)).answer, least)
-        if both is not None and expect.type is None:
+        both = _compound(understanding, terms)
+        if both is not None and terms.expect.type is None:
             return both.model_copy(update={"question": question})
-        outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit)))
+        outcome = _by_parser(terms.read(understanding))
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")
     if seeing is not None:
         outcome.notes += seeing.notes
         outcome.looked = seeing.tokens
-    return outcome.record(question, clock, least)
+    return terms.record(question, outcome)
 
 
 def described(run: Run, view: ModelView, unit: LengthUnit = LengthUnit.MM) -> Description | None:
@@ -158,16 +136,15 @@ def described(run: Run, view: ModelView, unit: LengthUnit = LengthUnit.MM) -> De
     return describe(*view.contents(), unit, ask)
 
 
-def _stands_alone(
-    question: str, options: AnswerOptions, run: Run, view: ModelView, unit: LengthUnit
-) -> tuple[str, float]:
+def _stands_alone(question: str, options: AnswerOptions, terms: _Terms) -> tuple[str, float]:
     """The question with what it leans on put in: parts that are pointed at, questions before. Raises NotFollowed.
 
     And how sure an answer can be at most: as sure as it is which parts the questions before were about.
     """
     if not options.context and options.selection is None:
         return stands_alone(question, (), None, tuple, lambda _: None), 1.0
-    if view.contents is None:
+    contents = terms.view.contents
+    if contents is None:
         raise NotFollowed("the parts of the model are not known here, to which the question refers")
     alone = options.model_copy(update={"codegen": Codegen.PARSER, "context": (), "selection": None, "expect": None})
 
@@ -175,33 +152,31 @@ def _stands_alone(
 
     def before(text: str) -> list[str] | None:
         nonlocal at_most
-        record = answer_question(text, run, view, unit, alone)
+        record = answer_question(text, terms.run, terms.view, terms.unit, alone)
         at_most = min(at_most, 1.0 if record.confidence is None else record.confidence)
         found = [part.id for part in record.parts if part.kind is not PartKind.MODEL]
         return found if found or not record.parts else None
 
-    contents = view.contents
     text = stands_alone(question, options.context, options.selection, lambda: contents()[1], before)
     return text, at_most
 
 
-def _told(
-    understanding: Understanding, run: Run, view: ModelView, unit: LengthUnit, expect: Expectation
-) -> _Outcome | None:
+def _told(understanding: Understanding, terms: _Terms) -> _Outcome | None:
     """What comes of a question that no program answers: what the model is, what a part is. None for any other."""
     question, addressed = understanding.question, understanding.addressed
     parts: tuple[Part, ...] = ()
-    if asks_for_overview(question) and (found := described(run, view, unit)) is not None:
+    contents, unit = terms.view.contents, terms.unit
+    if asks_for_overview(question) and (found := described(terms.run, terms.view, unit)) is not None:
         text, meant = found.text, "a description of the model"
-    elif view.contents is not None and asks_what_parts_are(addressed):
-        known = view.contents()[1]
+    elif contents is not None and asks_what_parts_are(addressed):
+        known = contents()[1]
         parts = tuple(part for part in known if part.id in addressed.ids)
         text, meant = told_parts(parts, known, unit), f"what {ids_text([part.id for part in parts])} is"
     else:
         return None
     answer = Answer(value=text, type=AnswerType.TEXT, unit=Unit.NONE, text=text)
     try:
-        as_expected(answer.model_copy(update={"text": meant}), expect)
+        as_expected(answer.model_copy(update={"text": meant}), terms.expect)
     except Unexpected as error:
         return _Outcome(failure=Failure(category=FailureCategory.UNEXPECTED, message=str(error)))
     program = Program(code="", codegen="parser", expects=AnswerType.TEXT, confidence=1.0)
@@ -209,22 +184,20 @@ def _told(
     return _by_parser(Understood(program, verdict, 1.0, meant, notes=addressed.notes))
 
 
-def _compound(
-    understanding: Understanding, run: Run, view: ModelView, unit: LengthUnit, judged: Judged, least: float
-) -> AnswerRecord | None:
+def _compound(understanding: Understanding, terms: _Terms) -> AnswerRecord | None:
     """What comes of several questions in one; None for any other."""
     best = next(iter(understanding.ranked), None) if understanding.refused is None else None
     asked = clauses(understanding.reader, best)
-    alone = AnswerOptions(codegen=Codegen.PARSER, least_confidence=least)
+    alone = AnswerOptions(codegen=Codegen.PARSER, least_confidence=terms.least)
     records = [
-        answer_question(one, run, view, unit, alone.model_copy(update={"context": asked[:index]}))
+        answer_question(one, terms.run, terms.view, terms.unit, alone.model_copy(update={"context": asked[:index]}))
         for index, one in enumerate(asked)
     ]
-    both = together(records, judged) if records else None
+    both = together(records, lambda one: terms.judged(one, terms.timed_run(one)).answer) if records else None
     if records and both is None:
         understanding.at_most = min(understanding.at_most, OTHER_CLASS)  # one of them is not answered
     if both is not None and both.confidence is not None:
-        single = understanding.answered(run, unit)
+        single = understanding.answered(terms.run, terms.unit)
         if single.verdict.answer is not None and (single.confidence or 0.0) > both.confidence + SURER:
             understanding.at_most = min(understanding.at_most, AS_ONE)
             return None
@@ -242,11 +215,8 @@ def no_question(question: str) -> AnswerRecord | None:
         why = "the question is no valid Unicode text"
     else:
         return None
-    return _refused(folded(sendable), why, _Clock(), LEAST_CONFIDENCE)
-
-
-def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:
-    return _Outcome(failure=Failure(category=FailureCategory.BAD_INPUT, message=message)).record(question, clock, least)
+    failure = Failure(category=FailureCategory.BAD_INPUT, message=why)
+    return _Outcome(failure=failure).record(folded(sendable), _Clock(), LEAST_CONFIDENCE)
 
 
 def _seeing(writer: LlmWriter, place: Place | None, wanted: bool) -> Seeing | None:
@@ -288,11 +258,28 @@ def _by_parser(found: Understood) -> _Outcome:
     return _Outcome(chosen=Candidate(found.program, found.verdict), understood=found)
 
 
-def _with_llm(
-    task: Task, codegen: Codegen, writer: LlmWriter, parsed: Callable[[], Understood], clock: _Clock
+def _by_llm(
+    understanding: Understanding,
+    terms: _Terms,
+    codegen: Codegen,
+    writer: LlmWriter,
+    summary: ModelSummary | None,
+    seeing: Seeing | None,
 ) -> _Outcome:
     """What comes of the language model's programs, and of the parser's where both answer or the model has none."""
-    written = clock.timed("llm", partial(writer.write, task, looks=codegen is Codegen.AGENT))
+    parsed = cache(lambda: terms.read(understanding))
+    task = Task(
+        understanding.question,
+        terms.timed_run,
+        terms.judged,
+        summary,
+        terms.expect,
+        terms.clock.timed("codegen", partial(_asked_type, understanding)),
+        lambda: understanding.readings,
+        lambda: _parsed(parsed()),
+        *_tools(writer.settings, seeing),
+    )
+    written = terms.clock.timed("llm", partial(writer.write, task, looks=codegen is Codegen.AGENT))
     answered = [candidate for candidate in written.candidates if candidate.verdict.answer is not None]
     outcome = _Outcome(attempts=tuple(written.attempts))
     if written.error is not None:
@@ -337,6 +324,60 @@ def _vote(answered: Sequence[Candidate], outcome: _Outcome) -> None:
 def _agree(a: Candidate, b: Candidate) -> bool:
     first, second = a.verdict.answer, b.verdict.answer
     return first is not None and second is not None and same_value(first, second)
+
+
+class _Clock:
+    """How long did each step take? Milliseconds by step, in the order in which they began; steps within count apart."""
+
+    def __init__(self) -> None:
+        self.timings_ms: dict[str, float] = {}
+        self._within_ms = 0.0
+
+    def timed(self, step: str, work: Callable[[], T]) -> T:
+        """Does the work; adds its time, without that of steps inside it, to the step's."""
+        self.timings_ms.setdefault(step, 0.0)
+        outer_ms, self._within_ms = self._within_ms, 0.0
+        start = time.perf_counter()
+        try:
+            return work()
+        finally:
+            spent_ms = (time.perf_counter() - start) * 1e3
+            self.timings_ms[step] = round(self.timings_ms[step] + spent_ms - self._within_ms, 3)
+            self._within_ms = outer_ms + spent_ms
+
+
+@dataclass(frozen=True, slots=True)
+class _Terms:
+    """How is one question answered? What runs programs, what readings are ranked on, in which unit, as what."""
+
+    run: Run
+    view: ModelView
+    unit: LengthUnit
+    expect: Expectation
+    least: float
+    """An answer less probable than this is unsure."""
+    clock: _Clock = field(default_factory=_Clock)
+
+    def timed_run(self, program: Program) -> RunOutcome:
+        """What comes of the program?"""
+        return self.clock.timed("run", partial(self.run, program))
+
+    def judged(self, program: Program, came: RunOutcome) -> Verdict:
+        """Is what came of a program an answer?"""
+        return judge(program, came, self.unit, self.expect)
+
+    def read(self, understanding: Understanding) -> Understood:
+        """What does the parser answer?"""
+        return self.clock.timed("codegen", lambda: understanding.answered(self.timed_run, self.unit))
+
+    def record(self, question: str, outcome: _Outcome) -> AnswerRecord:
+        """The outcome as the contract has it."""
+        return outcome.record(question, self.clock, self.least)
+
+    def refused(self, question: str, message: str) -> AnswerRecord:
+        """The record of a question that cannot be read as one."""
+        failure = Failure(category=FailureCategory.BAD_INPUT, message=message)
+        return self.record(question, _Outcome(failure=failure))
 
 
 @dataclass(slots=True)
@@ -449,23 +490,3 @@ def _alternative(candidate: Candidate, understood: Understood | None) -> Alterna
         understood_as=understood.understood_as if understood is not None and own else "",
         confidence=understood.confidence if understood is not None and own else None,
     )
-
-
-class _Clock:
-    """How long did each step take? Milliseconds by step, in the order in which they began; steps within count apart."""
-
-    def __init__(self) -> None:
-        self.timings_ms: dict[str, float] = {}
-        self._within_ms = 0.0
-
-    def timed(self, step: str, work: Callable[[], T]) -> T:
-        """Does the work; adds its time, without that of steps inside it, to the step's."""
-        self.timings_ms.setdefault(step, 0.0)
-        outer_ms, self._within_ms = self._within_ms, 0.0
-        start = time.perf_counter()
-        try:
-            return work()
-        finally:
-            spent_ms = (time.perf_counter() - start) * 1e3
-            self.timings_ms[step] = round(self.timings_ms[step] + spent_ms - self._within_ms, 3)
-            self._within_ms = outer_ms + spent_ms

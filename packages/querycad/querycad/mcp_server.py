@@ -187,8 +187,8 @@ def server(runtime: EmbeddedRuntime, folder: Path | None = None) -> MCPServer:
         made.add_tool(guarded, annotations=READS)
         return guarded
 
-    _add_reading(tool, session)
-    _add_measuring(tool, session)
+    for add in (_add_asking, _add_listing, _add_measuring, _add_comparing):
+        add(tool, session)
     _add_resources(made, session)
     return made
 
@@ -227,7 +227,7 @@ async def over_stdio(made: MCPServer) -> None:
             await low.run(read, write, low.create_initialization_options())
 
 
-def _add_reading(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
+def _add_asking(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
     @tool
     def open_model(
         file: Annotated[
@@ -261,6 +261,8 @@ def _add_reading(tool: Callable[[Callable[..., Any]], Any], session: Session) ->
         reply = asked.ask(question, unit=unit, context=context, select=parts)
         return _answered(session.keep(reply), reply, asked, unit)
 
+
+def _add_listing(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
     @tool
     def find_parts(
         model: ModelArg,
@@ -339,6 +341,8 @@ def _add_measuring(tool: Callable[[Callable[..., Any]], Any], session: Session) 
             raise ToolError(f"{problem}{has}") from problem
         return Measured(value=found.value, unit=found.unit, text=found.text)
 
+
+def _add_comparing(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
     @tool
     def distance(
         model: ModelArg,

@@ -72,51 +72,65 @@ log = logging.getLogger(__name__)
 
 def make_app(settings: ApiSettings) -> FastAPI:
     """The application; it connects when it starts."""
-
-    @asynccontextmanager
-    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        redis = Redis.from_url(
-            settings.redis_url,
-            decode_responses=True,
-            max_connections=CONNECTIONS,
-            socket_connect_timeout=CONNECT_S,
-            socket_timeout=READ_S + SILENCE_S,
-        )
-        broker = Broker(settings.redis_url, redis)
-        state = State(
-            redis,
-            settings.answers_days,
-            settings.tenant_answers,
-            settings.tenant_mib * 2**20,
-            settings.tenant_answers_mib * 2**20,
-        )
-        app.state.application = Application(settings, state, broker, file_store(settings))
-        app.state.access = Access(settings, redis)
-        app.state.streams = Counter()
-        beside = [
-            asyncio.create_task(each) for each in (redeliver(app.state.application), expire(app.state.application))
-        ]
-        token = settings.sandbox_token.get_secret_value()
-        headers = {"Authorization": f"Bearer {token}"} if token else {}
-        async with httpx.AsyncClient(base_url=settings.sandbox_url, headers=headers) as app.state.sandbox:
-            yield
-        for task in beside:
-            task.cancel()
-        await asyncio.gather(*beside, return_exceptions=True)
-        broker.close()
-        await redis.aclose()
-
     app = FastAPI(
         title="QueryCAD",
         description="Ask a CAD model a question in plain language and get a precise, grounded answer. SI units.",
         version=INTERFACE_VERSION,
-        lifespan=lifespan,
+        lifespan=_connected,
         docs_url=None,  # FastAPI's own pages load scripts from elsewhere; `reference` has them here
         redoc_url=None,
         redirect_slashes=False,  # behind a proxy with TLS it would send clients, and their keys, to one without
         generate_unique_id_function=lambda route: route.name,
     )
+    app.state.settings = settings
     app.state.registry = CollectorRegistry()
+    _add_middleware(app, settings)
+    start_tracing("querycad-api", settings.traces, app)
+    add_handlers(app)
+    for each in (models, geometry, programs, parameters, questions, jobs, metrics):
+        app.include_router(each.router, responses=responses(NotAuthenticated, NotAllowed, TooManyRequests))
+    for public in (health.router, reference.router, pages()):
+        app.include_router(public)
+    app.openapi = lambda: _openapi(app, settings.asks_for_keys)  # type: ignore[method-assign]
+    return app
+
+
+@asynccontextmanager
+async def _connected(app: FastAPI) -> AsyncIterator[None]:
+    """While the context lasts, the application is connected, and does what is done beside requests."""
+    settings: ApiSettings = app.state.settings
+    redis = Redis.from_url(
+        settings.redis_url,
+        decode_responses=True,
+        max_connections=CONNECTIONS,
+        socket_connect_timeout=CONNECT_S,
+        socket_timeout=READ_S + SILENCE_S,
+    )
+    broker = Broker(settings.redis_url, redis)
+    state = State(
+        redis,
+        settings.answers_days,
+        settings.tenant_answers,
+        settings.tenant_mib * 2**20,
+        settings.tenant_answers_mib * 2**20,
+    )
+    application = app.state.application = Application(settings, state, broker, file_store(settings))
+    app.state.access = Access(settings, redis)
+    app.state.streams = Counter()
+    beside = [asyncio.create_task(each) for each in (redeliver(application), expire(application))]
+    token = settings.sandbox_token.get_secret_value()
+    headers = {"Authorization": f"Bearer {token}"} if token else {}
+    async with httpx.AsyncClient(base_url=settings.sandbox_url, headers=headers) as app.state.sandbox:
+        yield
+    for task in beside:
+        task.cancel()
+    await asyncio.gather(*beside, return_exceptions=True)
+    broker.close()
+    await redis.aclose()
+
+
+def _add_middleware(app: FastAPI, settings: ApiSettings) -> None:
+    """What every request passes through, the innermost first."""
     app.add_middleware(Tagged)
     app.add_middleware(Compressed, minimum_size=GZIP_BYTES, compresslevel=GZIP_LEVEL)
     app.add_middleware(BodyLimit, upload_path=UPLOAD_PATH, max_bytes=settings.upload_mib * 2**20)
@@ -137,14 +151,6 @@ def make_app(settings: ApiSettings) -> FastAPI:
             ],
         )
     app.add_middleware(Observe, metrics=HttpMetrics(app.state.registry))
-    start_tracing("querycad-api", settings.traces, app)
-    add_handlers(app)
-    for each in (models, geometry, programs, parameters, questions, jobs, metrics):
-        app.include_router(each.router, responses=responses(NotAuthenticated, NotAllowed, TooManyRequests))
-    for public in (health.router, reference.router, pages()):
-        app.include_router(public)
-    app.openapi = lambda: _openapi(app, settings.asks_for_keys)  # type: ignore[method-assign]
-    return app
 
 
 def _openapi(app: FastAPI, asks_for_keys: bool) -> dict[str, Any]:

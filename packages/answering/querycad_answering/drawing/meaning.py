@@ -50,39 +50,16 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
         case forms.Count(target, measure):
             values = f"different {measure_name(measure)} values of " if measure else ""
             return f"number of {values}{noun_phrase(target)}"
-        case Distance(first, second, "overlap"):
-            return f"overlap of {_anchor(first)}" + (f" and {_anchor(second)}" if second != "each other" else "")
-        case Distance(first, second, "within"):
-            return f"how far {_anchor(first)} reaches into {_anchor(second)}"
-        case Distance(first, second, "across"):
-            return f"distance from the floor of {_anchor(first)} to the opposite side of {_anchor(second)}"
-        case Distance(first, reduce=Reduce.SIDES):
-            return f"sides of the rectangle of {_anchor(first)}"
-        case Distance(first, second, mode, axis, reduce):
-            both = f"from {_anchor(first)} to {_anchor(second)}"
-            if second == "each other":
-                both = f"of {_anchor(first)} from each other"
-            along = _AXES.get(axis, " along a side of the model")
-            return f"{_REDUCES[reduce]}distance {_MODES.get(mode, '')}{both}{along}"
+        case Distance():
+            return _distance(form)
         case forms.Several(several):
             return " and ".join(map(describe, several))
         case forms.Angle(first, second):
-            return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
+            return f"angle between {_both(first, second)}"
         case forms.Combine(operation, left, right):
             return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
-        case forms.Check(Distance(first, second, "amid"), Relation.AT_MOST, 0.0):
-            return f"whether {_anchor(first)} lies in the middle of {_anchor(second)}"
-        case forms.Check(Distance(first, second, "beyond" | "beyond both" as mode), Relation.MORE, 0.0):
-            ends = " on both sides" if mode == "beyond both" else ""
-            return f"whether {_anchor(first)} reaches beyond {_anchor(second)}{ends}"
-        case forms.Check(left, relation, low, high):
-            counted = isinstance(left, forms.Count) or getattr(left, "operation", "") == "ratio"
-            measure = Measure.ANGLE if isinstance(left, forms.Angle) else None
-            measure = left.measures[0] if isinstance(left, Get) else measure
-            value = describe(low) if not isinstance(low, float) else f"{low:g}" if counted else stated(low, measure)
-            value = f"{value} to {stated(high, measure)}" if high is not None else value
-            same = "as much as the " if relation is Relation.EQUAL and not isinstance(low, float) else ""
-            return f"whether the {describe(left)} is {RELATIONS.get(relation, '') or same}{value}"
+        case forms.Check():
+            return _check(form)
         case forms.Which(left, relation, _, words):
             noun = measure_name(left.measures[0]) if isinstance(left, Get) else "number"
             which = f"which has the {'larger' if relation is Relation.MORE else 'smaller'} {noun}"
@@ -100,17 +77,54 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
         case forms.Uniform(get):
             return f"whether the {describe(get)} is the same for all"
         case forms.Parallel(first, second, square, in_line):
-            other = f" and {noun_phrase(second)}" if second else ""
             said = "on one line" if in_line else "square to each other" if square else "parallel"
-            return f"whether {noun_phrase(first)}{other} are {said}"
+            return f"whether {_both(first, second)} are {said}"
         case forms.Facing(first, second, how):
-            other = f" and {noun_phrase(second)}" if second else ""
-            return f"whether {noun_phrase(first)}{other} {_FACING[how]}"
+            return f"whether {_both(first, second)} {_FACING[how]}"
         case forms.Parts(target):
             return noun_phrase(target)
         case forms.Towards(target, sides, seen):
             either = f"{', '.join(sides[:-1])} or {sides[-1]}"
             return _TOWARDS[seen].format(noun_phrase(target), _is(target), either)
+
+
+def _distance(form: Distance) -> str:
+    match form:
+        case Distance(first, second, "overlap"):
+            return f"overlap of {_anchor(first)}" + (f" and {_anchor(second)}" if second != "each other" else "")
+        case Distance(first, second, "within"):
+            return f"how far {_anchor(first)} reaches into {_anchor(second)}"
+        case Distance(first, second, "across"):
+            return f"distance from the floor of {_anchor(first)} to the opposite side of {_anchor(second)}"
+        case Distance(first, reduce=Reduce.SIDES):
+            return f"sides of the rectangle of {_anchor(first)}"
+        case Distance(first, second, mode, axis, reduce):
+            both = f"from {_anchor(first)} to {_anchor(second)}"
+            if second == "each other":
+                both = f"of {_anchor(first)} from each other"
+            along = _AXES.get(axis, " along a side of the model")
+            return f"{_REDUCES[reduce]}distance {_MODES.get(mode, '')}{both}{along}"
+
+
+def _check(form: forms.Check) -> str:
+    match form:
+        case forms.Check(Distance(first, second, "amid"), Relation.AT_MOST, 0.0):
+            return f"whether {_anchor(first)} lies in the middle of {_anchor(second)}"
+        case forms.Check(Distance(first, second, "beyond" | "beyond both" as mode), Relation.MORE, 0.0):
+            ends = " on both sides" if mode == "beyond both" else ""
+            return f"whether {_anchor(first)} reaches beyond {_anchor(second)}{ends}"
+        case forms.Check(left, relation, low, high):
+            counted = isinstance(left, forms.Count) or getattr(left, "operation", "") == "ratio"
+            measure = Measure.ANGLE if isinstance(left, forms.Angle) else None
+            measure = left.measures[0] if isinstance(left, Get) else measure
+            value = describe(low) if not isinstance(low, float) else f"{low:g}" if counted else stated(low, measure)
+            value = f"{value} to {stated(high, measure)}" if high is not None else value
+            same = "as much as the " if relation is Relation.EQUAL and not isinstance(low, float) else ""
+            return f"whether the {describe(left)} is {RELATIONS.get(relation, '') or same}{value}"
+
+
+def _both(first: PartQuery, second: PartQuery | None) -> str:
+    return noun_phrase(first) + (f" and {noun_phrase(second)}" if second else "")
 
 
 def _is(query: PartQuery) -> str:

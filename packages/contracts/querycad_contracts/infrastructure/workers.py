@@ -51,32 +51,10 @@ def worker_app(
     redis = Redis.from_url(settings.redis_url)  # connects when used, in each process anew
     undone = "querycad:" + "+".join(queue.value for queue in queues)
     app.conf.update(
+        _taking(undone, longest_s, store_tries),
         task_queues=[KombuQueue(queue.value) for queue in queues],
         worker_concurrency=processes,
-        worker_pool="prefork",
-        worker_prefetch_multiplier=1,
         worker_max_memory_per_child=memory_mib * 1024,
-        worker_redirect_stdouts=False,
-        worker_cancel_long_running_tasks_on_connection_loss=False,
-        broker_connection_retry_on_startup=True,
-        broker_transport_options={
-            "visibility_timeout": longest_s + VISIBILITY_MARGIN_S,
-            # of these queues alone: whoever looks for lost tasks must not give out others' too early
-            "unacked_key": f"{undone}:unacked",
-            "unacked_index_key": f"{undone}:unacked_index",
-            "unacked_mutex_key": f"{undone}:unacked_mutex",
-            "unacked_restore_interval": RESTORE_S,
-            "unacked_restore_throttle": 1,
-        },
-        task_publish_retry_policy={
-            "max_retries": store_tries,
-            "interval_start": 0,
-            "interval_step": 0.1,
-            "interval_max": STORE_PAUSE_S,
-        },
-        task_acks_late=True,
-        task_reject_on_worker_lost=True,
-        task_ignore_result=True,
     )
 
     def say_alive(**_: object) -> None:
@@ -91,6 +69,35 @@ def worker_app(
     if settings.sole_worker:
         app.steps["consumer"].add(_take_over(redis, f"{undone}:unacked_index"))
     return app
+
+
+def _taking(undone: str, longest_s: int, store_tries: int) -> dict[str, Any]:
+    """How are tasks taken, and given back? Settings of Celery; `undone` begins the keys of those that are taken."""
+    return {
+        "worker_pool": "prefork",
+        "worker_prefetch_multiplier": 1,
+        "worker_redirect_stdouts": False,
+        "worker_cancel_long_running_tasks_on_connection_loss": False,
+        "broker_connection_retry_on_startup": True,
+        "broker_transport_options": {
+            "visibility_timeout": longest_s + VISIBILITY_MARGIN_S,
+            # of these queues alone: whoever looks for lost tasks must not give out others' too early
+            "unacked_key": f"{undone}:unacked",
+            "unacked_index_key": f"{undone}:unacked_index",
+            "unacked_mutex_key": f"{undone}:unacked_mutex",
+            "unacked_restore_interval": RESTORE_S,
+            "unacked_restore_throttle": 1,
+        },
+        "task_publish_retry_policy": {
+            "max_retries": store_tries,
+            "interval_start": 0,
+            "interval_step": 0.1,
+            "interval_max": STORE_PAUSE_S,
+        },
+        "task_acks_late": True,
+        "task_reject_on_worker_lost": True,
+        "task_ignore_result": True,
+    }
 
 
 def _share_pages(**_: object) -> None:
