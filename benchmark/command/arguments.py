@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import argparse
-import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
+
+from querycad_contracts.infrastructure import processors
 
 SET_UP = ("codegen", "grounding", "views", "box_threshold", "prompt_examples")
 """The fields of `SystemOptions` that have arguments of the same name."""
@@ -125,7 +126,7 @@ def _add_networks(commands: Commands) -> None:
 def _add_common(parser: argparse.ArgumentParser, out: str, *, has_pictures: bool = False) -> None:
     parser.add_argument("--out", metavar="DIR", default=out, help="where results go (default: %(default)s)")
     parser.add_argument(
-        "--jobs", type=_positive, default=_cores(), metavar="N", help="models at a time (default: cores)"
+        "--jobs", type=_positive, default=processors(), metavar="N", help="models at a time (default: cores)"
     )
     system = parser.add_mutually_exclusive_group()
     system.add_argument("--system", metavar="MODULE:CLASS", help="measure another system through this adapter")
@@ -184,10 +185,6 @@ def _positive(text: str) -> int:
     if value < 1:
         raise argparse.ArgumentTypeError("must be 1 or more")
     return value
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _run(options: argparse.Namespace) -> int:

@@ -7,6 +7,14 @@ from collections.abc import Callable, Sequence
 
 from pydantic import BaseModel, ConfigDict, computed_field
 
+QUESTIONS = (
+    "How many holes does the object have?",
+    "What is the height of the object?",
+    "What is the diameter of the holes?",
+    "Where is the center of the largest hole?",
+)
+"""What a client asks while speed is measured."""
+
 
 class Measurement(BaseModel):
     """One figure and what it is measured against. `ratio` is value by baseline; `limit` says what is to be held."""

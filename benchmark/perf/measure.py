@@ -20,19 +20,12 @@ from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.local import LocalPartFinder
 
-from .figures import Measurement, NotMeasured, Series, percentile, times_ms
+from .figures import QUESTIONS, Measurement, NotMeasured, Series, percentile, times_ms
 from .ingest import Readings, ingest_measurements, memory_measurements
 from .recognition import growth_measurements, recognition_measurements
 from .sandbox import EMPTY_PROGRAM, sandbox_measurements
 from .vision import vision_measurements
 from .workers import workers_measurements
-
-QUESTIONS = (
-    "How many holes does the object have?",
-    "What is the height of the object?",
-    "What is the diameter of the holes?",
-    "Where is the center of the largest hole?",
-)
 
 
 class PartMeasurements(BaseModel):

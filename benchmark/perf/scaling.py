@@ -28,7 +28,8 @@ import psutil
 
 from querycad.client import Client
 
-from .service import CLIENTS, QUESTIONS, known
+from .figures import QUESTIONS
+from .service import CLIENTS, known
 from .service_processes import Service, running
 
 FILE = Path("examples/flange.step")

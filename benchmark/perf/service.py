@@ -27,15 +27,10 @@ from querycad_contracts import AnswerRecord, ModelStatus
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
 
+from .figures import QUESTIONS
 from .plain_drawing import plain_drawing
 from .service_processes import Service, running
 
-QUESTIONS = (
-    "How many holes does the object have?",
-    "What is the height of the object?",
-    "What is the diameter of the holes?",
-    "Where is the center of the largest hole?",
-)
 CLIENTS = 8
 UPLOAD_BYTES = 5 * 10**6
 READ_S = 120.0

@@ -22,11 +22,11 @@ from typing import Any
 
 import querycad
 from benchmark.scoring.own_models import own_models
+from benchmark.understanding.cross_validation import SURE
 from benchmark.understanding.data import Question, is_right, model_file
 from querycad_contracts import PartKind, Status
 
 FOLDER = Path(__file__).parent
-SURE = 0.8
 _SI = {"length": 1e-3, "lengths": 1e-3, "point": 1e-3, "size": 1e-3, "area": 1e-6, "volume": 1e-9}
 _NUMBER = re.compile(r"(?<![\w.])[ØRCM]?(\d+(?:\.\d+)?)")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ast
 
-from querycad_contracts import AnswerType, Frame
+from querycad_contracts import RESULT, AnswerType, Frame
 from querycad_contracts.guest_reference import syntax_of
 
 _SCALARS = {
@@ -103,7 +103,7 @@ def _read(node: ast.expr, assigned: dict[str, ast.expr]) -> tuple[str, ...]:
 
 def _result(code: str) -> ast.expr | None:
     """The expression that `solution` gets last."""
-    return _assigned(code).get("solution")
+    return _assigned(code).get(RESULT)
 
 
 def _assigned(code: str) -> dict[str, ast.expr]:

@@ -40,7 +40,6 @@ _UNITS = {
     AnswerType.VOLUME: Unit.CUBIC_METRE,
     AnswerType.ANGLE: Unit.RADIAN,
 }
-_POWER = {Unit.METRE: 1, Unit.SQUARE_METRE: 2, Unit.CUBIC_METRE: 3}
 _EXPONENT = {1: "", 2: "²", 3: "³"}
 _TRIPLES = (AnswerType.POINT, AnswerType.DIRECTION, AnswerType.SIZE)
 _NUMBERS = (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE, AnswerType.NUMBER)
@@ -247,7 +246,7 @@ def _scalar_text(value: Any, kind: AnswerType, unit: LengthUnit) -> str:
     si = _UNITS.get(kind, Unit.NONE)
     if kind is AnswerType.ANGLE:
         return f"{_number(math.degrees(value))}°"
-    power = _POWER.get(si, 0)
+    power = si.power
     factor = unit.metres**power
     suffix = f" {unit.value}{_EXPONENT[power]}" if power else ""
     if kind in _TRIPLES:

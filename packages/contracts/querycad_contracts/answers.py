@@ -45,6 +45,11 @@ class Unit(StrEnum):
     RADIAN = "rad"
     NONE = ""
 
+    @property
+    def power(self) -> int:
+        """Which power of a length is it? 0 of what is none."""
+        return {Unit.METRE: 1, Unit.SQUARE_METRE: 2, Unit.CUBIC_METRE: 3}.get(self, 0)
+
 
 class LengthUnit(StrEnum):
     """Unit that lengths are written in for people; values stay SI."""

@@ -9,7 +9,7 @@ from enum import StrEnum
 
 HEAD_BYTES = 4096
 """So much of a file tells its kind."""
-_BOM = b"\xef\xbb\xbf"
+BOM = b"\xef\xbb\xbf"
 _IGES = re.compile(rb"[^\r\n]{72}S[ 0]{6}1")
 """The first line of an IGES file: 72 columns of text, the letter of the start section, a number of seven places."""
 _OBJ = re.compile(rb"^v(?:[ \t]{1,20}[-+]?[\d.][^\s]{0,40}){3}", re.MULTILINE)
@@ -48,7 +48,7 @@ class FileKind(StrEnum):
 
 def file_kind(head: bytes) -> FileKind | None:
     """Of a file that begins with these bytes; None: no kind that can be read."""
-    text = head.removeprefix(_BOM).lstrip()
+    text = head.removeprefix(BOM).lstrip()
     if text.startswith(b"ISO-10303-21"):
         return FileKind.STEP
     if head.startswith(b"\x1f\x8b"):
@@ -72,7 +72,7 @@ def no_kind(head: bytes) -> str:
 
 
 def _looks_like(head: bytes) -> str:
-    text = head[:512].removeprefix(_BOM).lstrip()
+    text = head[:512].removeprefix(BOM).lstrip()
     if head.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "it is encoded as UTF-16; save it as plain text first"
     if text[:1] == b"<":

@@ -11,11 +11,10 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from .answers import Codegen, LengthUnit
-from .geometry import Frozen, GroundedBy, Side
+from .geometry import Frozen, GroundedBy, Side, Vector
 from .services import ModelId, ModelSummary, ModelTask
 from .vectors import cross, dot
 
-Triple = tuple[float, float, float]
 Row = tuple[float, float, float, float]
 Matrix = Annotated[
     tuple[Row, Row, Row, Row],
@@ -154,7 +153,7 @@ class ParametersTask(ModelTask):
 class Pose(Frozen):
     """Place and orientation of a frame, in the unit and coordinates asked for."""
 
-    position: Triple = Field(
+    position: Vector = Field(
         description="Half-way between the part's ends, on its axis: within a hole, not at its mouth; or the place "
         "that the question asks for."
     )
@@ -165,8 +164,8 @@ class Pose(Frozen):
 class Axis(Frozen):
     """A point and a way from it, in the unit and coordinates asked for."""
 
-    point: Triple = Field(description="An end of the part: the mouth of a hole, the free end of a shaft.")
-    direction: Triple = Field(description="Of length 1.")
+    point: Vector = Field(description="An end of the part: the mouth of a hole, the free end of a shaft.")
+    direction: Vector = Field(description="Of length 1.")
 
 
 class Grasp(Frozen):
@@ -175,9 +174,9 @@ class Grasp(Frozen):
     Only the two faces are looked at: whether the fingers have room beside them is for a planner to see.
     """
 
-    center: Triple = Field(description="In the middle of what the faces share, half-way between them.")
-    closing: Triple = Field(description="Of length 1: the way that one finger moves; the other moves against it.")
-    along: Triple = Field(description="Of length 1: the longer side of what the faces share, square to `closing`.")
+    center: Vector = Field(description="In the middle of what the faces share, half-way between them.")
+    closing: Vector = Field(description="Of length 1: the way that one finger moves; the other moves against it.")
+    along: Vector = Field(description="Of length 1: the longer side of what the faces share, square to `closing`.")
     distance: float = Field(description="Between the faces: how far the gripper opens at least.")
     area: float = Field(description="What the faces share, as the bounding rectangles in their planes overlap.")
     faces: tuple[int, int] = Field(description="Ids of the faces.")

@@ -14,6 +14,9 @@ from .queries import FaceQuery, Grounded, PartQuery
 
 RunId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one run; whoever starts it may choose it.")]
 
+RESULT = "solution"
+"""The variable that holds a program's result."""
+
 
 class Grounding(Frozen):
     """Which parts does a description mean?

@@ -26,7 +26,18 @@ from pydantic_monty import (
     SyncSnapshot,
 )
 
-from querycad_contracts import AnswerType, Face, GuestAnswer, GuestCall, Part, Printed, RunLimits, RunOutcome, RunStatus
+from querycad_contracts import (
+    RESULT,
+    AnswerType,
+    Face,
+    GuestAnswer,
+    GuestCall,
+    Part,
+    Printed,
+    RunLimits,
+    RunOutcome,
+    RunStatus,
+)
 
 from .check import SCRIPT
 from .control import RunControl, RunEndedError
@@ -34,7 +45,7 @@ from .guest import FUNCTIONS, ON_DEMAND, Guest, PartView, View
 from .interpreters import GRACE_S, Interpreters, Lease
 from .outcomes import Ending
 from .rewriting import WORDS_LEFT, rewritten
-from .sources import MOST, RESULT, sources
+from .sources import MOST, sources
 from .values import MAX_DEPTH, MAX_ITEMS, UnfitError, plain
 
 MESSAGE_CHARS: Final = 2000

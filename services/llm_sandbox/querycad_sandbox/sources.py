@@ -7,7 +7,8 @@ from collections import deque
 from collections.abc import Iterable, Iterator
 from typing import Final
 
-RESULT: Final = "solution"
+from querycad_contracts import RESULT
+
 MOST: Final = 30
 """Variables told of, and names kept of what one is made of; a program of a few lines has fewer, and a hostile one costs
 no more."""

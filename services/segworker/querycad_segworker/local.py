@@ -37,12 +37,11 @@ from .grounding.ground import ground
 from .grounding.inventory import Inventory
 from .measuring import Kernel
 from .model import Artefacts, Model
-from .vectors import cross, dot, line_distance, norm
+from .vectors import AXES, cross, dot, line_distance, norm
 
 if TYPE_CHECKING:
     from .segcad.ports import VisionOptions
 
-_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 NO_EYES = "geometry alone answered: networks that look at pictures are an extra, 'querycad[vision]'"
 
@@ -208,7 +207,7 @@ class LocalPartFinder:
         Raises KeyError for an unknown part id.
         """
         found = self._part(part)
-        for axis, extent in zip(_AXES, found.extents, strict=True):
+        for axis, extent in zip(AXES, found.extents, strict=True):
             if abs(dot(axis, direction)) > 1 - 1e-12:
                 return extent
         return self._kernel.measure("extent", found.faces, direction=direction)

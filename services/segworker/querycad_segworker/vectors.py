@@ -11,6 +11,9 @@ from querycad_contracts.vectors import ORIGIN, add, coordinate_axis, cross, dot,
 __all__ = ["ORIGIN", "add", "coordinate_axis", "cross", "dot", "norm", "scale", "sub", "unit"]
 """What is told here as well, for those who need both."""
 
+AXES: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+"""Of the file."""
+
 
 def dist(a: Vector, b: Vector) -> float:
     """How far apart are two points?"""

@@ -35,7 +35,7 @@ from querycad_contracts import (
     stage_key,
 )
 from querycad_contracts.infrastructure import WallsMissing, keep_private
-from querycad_contracts.infrastructure.workers import STORE_PAUSE_S, worker_app
+from querycad_contracts.infrastructure.workers import REPLY_S, STORE_PAUSE_S, worker_app
 
 from .kernel_process import ONE_THREAD, missing_walls, must_be_up, start_host
 from .settings import SegworkerSettings
@@ -49,8 +49,6 @@ INGEST_MARGIN_S = 20
 """What an ingest may take beside the kernel's work: its child is stopped and its artefacts are kept."""
 STORE_TRIES = 50
 """A worker waits for a store that is away: what it found out would be lost otherwise."""
-REPLY_S = 60
-"""Who asked takes the reply at once; one that nobody waits for any more goes away."""
 DEATHS_S = 24 * 3600
 STAGE_S = 600
 """A stage is told for longer than any lasts, and no longer than anybody asks."""

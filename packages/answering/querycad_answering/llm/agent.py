@@ -18,6 +18,7 @@ from textwrap import shorten
 from querycad_answering.judging import Verdict
 from querycad_answering.typed import are_several, same_value
 from querycad_contracts import (
+    RESULT,
     Answer,
     AnswerType,
     Attempt,
@@ -34,7 +35,7 @@ from .checks import problems
 from .doubts import doubts, odd, other_measure
 from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
-from .program import RESULT, blocks_in, program_in
+from .program import blocks_in, program_in
 from .prompt import agent_conversation, in_words, shown
 from .task import Candidate, Limits, Task, Written
 

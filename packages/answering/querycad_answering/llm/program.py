@@ -5,11 +5,11 @@ from __future__ import annotations
 import ast
 import re
 
+from querycad_contracts import RESULT
 from querycad_contracts.guest_reference import syntax_of
 
 from .reference import attributes, functions
 
-RESULT = "solution"
 _THOUGHT = re.compile(r"<think>.*?(?:</think>|\Z)", re.DOTALL)
 """What reasoning models say to themselves."""
 _BLOCK = re.compile(r"^[ \t]*```[ \t]*(?:python|py|Python)?[ \t]*\n(.*?)(?:^[ \t]*```|\Z)", re.DOTALL | re.MULTILINE)

@@ -17,7 +17,6 @@ DIGITS = 6
 _PLACES = (AnswerType.POINT, AnswerType.POINTS)
 _WAYS = (AnswerType.DIRECTION, AnswerType.DIRECTIONS)
 _SIZES = (AnswerType.SIZE, AnswerType.SIZES)
-_POWERS = {Unit.METRE: 1, Unit.SQUARE_METRE: 2, Unit.CUBIC_METRE: 3}
 _LENGTHS = (ParameterType.LENGTH, ParameterType.LENGTHS, ParameterType.SIZE, ParameterType.MATES)
 _PLACED = (
     *(ParameterType.POINT, ParameterType.POINTS, ParameterType.POSE),
@@ -66,7 +65,7 @@ class Telling:
         if answer.unit is Unit.RADIAN:
             factor = 1.0 if self.angle is AngleUnit.RAD else math.pi / 180
         else:
-            factor = self.metres ** _POWERS.get(answer.unit, 0)
+            factor = self.metres**answer.unit.power
         return (answer.value if factor == 1.0 else _scaled(answer.value, factor)), answer.text
 
     def _seen(self, value: Any, kind: AnswerType) -> Any:

@@ -5,7 +5,7 @@ Contracts import nothing from here. `workers` and `walls` are imported by name, 
 
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .logs import LogFormat, start_logging
-from .processes import end_with_parent, keep_private
+from .processes import end_with_parent, keep_private, processors
 from .settings import (
     BrokerSettings,
     Settings,

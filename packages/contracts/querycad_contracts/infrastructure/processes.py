@@ -16,6 +16,11 @@ def keep_private(mask: int = 0o077) -> int:
     return os.umask(mask)
 
 
+def processors() -> int:
+    """How many processors may this process use? A container or `taskset` may allow fewer than the machine has."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
 def end_with_parent(by: signal.Signals = signal.SIGTERM) -> None:
     """Asks the system to end this process when its parent is killed; Linux only, elsewhere orphans stay."""
     if sys.platform == "linux":

@@ -21,6 +21,8 @@ VISIBILITY_MARGIN_S = 10
 """Redis gives a task to another worker this long after it must have ended; until then two would do the same."""
 RESTORE_S = 5
 """Between two looks for tasks that were taken and not done in time."""
+REPLY_S = 60
+"""Who asked takes the reply at once; one that nobody waits for any more goes away."""
 STORE_PAUSE_S = 1.0
 """The longest pause between two tries to reach a store that is away."""
 

@@ -50,7 +50,7 @@ from querycad_contracts import (
     working_for,
 )
 from querycad_contracts.infrastructure import file_store
-from querycad_contracts.infrastructure.workers import STORE_PAUSE_S
+from querycad_contracts.infrastructure.workers import REPLY_S, STORE_PAUSE_S
 
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
 from .segworker import SegworkerClient
@@ -64,8 +64,6 @@ READING_S = 0.2
 """Between two looks at a model that is still being read, growing to five times that."""
 BEING_READ = "the model's file is being read"
 READING_AT_MOST_S = 3600.0
-REPLY_S = 60
-"""Who asked takes the reply at once; one that nobody waits for any more goes away."""
 STORE_TRIES = 100
 """A worker waits for a store that is away: a task that fails for want of it would be lost."""
 

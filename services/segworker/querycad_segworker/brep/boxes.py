@@ -17,12 +17,11 @@ from OCP.TopAbs import TopAbs_State
 from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.vectors import Box, add, box_of, cross, dot, norm, perpendicular, scale, sub, unit
+from querycad_segworker.vectors import AXES, Box, add, box_of, cross, dot, norm, perpendicular, scale, sub, unit
 
 from .canonical import Circle, Surface, bounds_of, vector
 
 _RULED = (SurfaceKind.PLANE, SurfaceKind.CYLINDER, SurfaceKind.CONE)
-_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _SAMPLES = (12, 40)
 """Fewest and most sample points along a parameter of a freeform face; in between, four to each polynomial piece."""
 _HALVINGS = 14
@@ -48,7 +47,7 @@ def face_box(face: TopoDS_Face, adaptor: BRepAdaptor_Surface, surface: Surface, 
         found = [p for p in _torus_extremes(surface, adaptor) if inside(*ElSLib.Parameters_s(torus, gp_Pnt(*p)))]
     elif kind == GeomAbs_SurfaceType.GeomAbs_Sphere:
         sphere = adaptor.Sphere()
-        ends = [add(surface.origin, scale(e, r)) for e in _AXES for r in (surface.radius, -surface.radius)]
+        ends = [add(surface.origin, scale(e, r)) for e in AXES for r in (surface.radius, -surface.radius)]
         found = [p for p in ends if _outside(p, edges) and inside(*ElSLib.Parameters_s(sphere, gp_Pnt(*p)))]
     else:
         found = list(_freeform_extremes(adaptor, edges, inside))
@@ -145,7 +144,7 @@ def _torus_extremes(torus: Surface, adaptor: BRepAdaptor_Surface) -> Iterator[Ve
     """
     u0, u1, v0, v1 = bounds_of(adaptor)
     middle = sub(vector(adaptor.Value((u0 + u1) / 2, (v0 + v1) / 2)), torus.origin)
-    for e in _AXES:
+    for e in AXES:
         across = sub(e, scale(torus.axis, dot(e, torus.axis)))
         if norm(across) < 1e-9:
             across = sub(middle, scale(torus.axis, dot(middle, torus.axis)))

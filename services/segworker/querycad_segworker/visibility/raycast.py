@@ -6,7 +6,6 @@ a watch screw and a bridge render alike. Embree's worker threads do not survive 
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -18,6 +17,7 @@ from embreex.rtcore_scene import EmbreeScene
 from numpy.typing import ArrayLike, NDArray
 
 from querycad_contracts import Side, Vector
+from querycad_contracts.infrastructure import processors
 from querycad_segworker.mesh import Mesh
 
 from .cameras import Camera, box_corners, off_axis
@@ -76,7 +76,7 @@ class Scene:
 
     def __init__(self, mesh: Mesh, threads: int | None = None) -> None:
         self.mesh = mesh
-        self._threads = threads or _processors()
+        self._threads = threads or processors()
         self.bounds = mesh.bounds
         low, high = self.bounds
         self._center: NDArray[np.float64] = (low + high) / 2
@@ -236,11 +236,6 @@ class Scene:
 def render_ids(scene: Scene | Mesh, camera: Camera, normals: bool = False) -> IdImage:
     """Which face does each pixel show? For several views of one mesh, make the Scene once and pass that."""
     return (scene if isinstance(scene, Scene) else Scene(scene)).render_ids(camera, normals)
-
-
-def _processors() -> int:
-    """How many processors may this process use? A container or `taskset` may allow fewer than the machine has."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _interpolate(corners: NDArray[np.float32], hits: _Hits) -> NDArray[np.float32]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +9,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
+
+from querycad_contracts.infrastructure import processors
 
 Feeds = Mapping[str, NDArray[Any]]
 
@@ -47,7 +48,7 @@ class Graph:
         import onnxruntime  # 0.2 s, and only those who look at pictures need it
 
         options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = threads or cores()
+        options.intra_op_num_threads = threads or processors()
         options.inter_op_num_threads = 1  # the graphs have no branches worth a second pool of threads
         options.log_severity_level = 3  # exporters leave unused initialisers: not the user's concern
         available = onnxruntime.get_available_providers()
@@ -82,11 +83,6 @@ class Graph:
 
 def _first_line(error: Exception) -> str:
     return (str(error).splitlines() or [type(error).__name__])[0]
-
-
-def cores() -> int:
-    """How many cores may this process use?"""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _port(declared: Any) -> Port:
