@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import ast
-
 import pytest
 
-from querycad_answering.llm.reference import guest_api
 from querycad_answering.quantities import frame, measures, measures_anything, scalar_type, triple_type
 from querycad_answering.typed import same_value, typed_answer
 from querycad_contracts import AnswerType, Frame
+from querycad_contracts.guest_reference import guest_api
 
 T = AnswerType
 
@@ -100,10 +98,10 @@ def test_a_program_that_only_counts_or_names_measures_nothing(code: str, does: b
 
 def test_every_number_of_the_guest_api_is_a_measure_or_is_known_to_be_none() -> None:
     numbers = {
-        ast.unparse(node.target)
-        for holder in guest_api().body
-        if isinstance(holder, ast.ClassDef)
-        for node in holder.body
-        if isinstance(node, ast.AnnAssign) and ast.unparse(node.annotation) in ("float", "list[float]", "Vector")
+        each.name
+        for holder in guest_api().classes
+        if not holder.is_query
+        for each in holder.attributes
+        if each.type in ("float", "list[float]", "Vector")
     }
     assert {name for name in numbers if not measures_anything(f"solution = shape.{name}")} == set()

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 import sys
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -14,11 +15,23 @@ from importlib.resources import files
 
 @dataclass(frozen=True, slots=True)
 class GuestName:
-    """One attribute, method, function or variable: how it is written, and its docstring."""
+    """One attribute, method, function, variable or name of a type: how it is written, and its docstring."""
 
     name: str
-    signature: str
+    type: str
+    """What it holds, gives, or stands for."""
     description: str
+    arguments: str | None = None
+    """Of a function or method, as they are written between brackets; None of anything else."""
+    is_alias: bool = False
+    """Whether it only stands for a type, as `Vector` does."""
+
+    @property
+    def signature(self) -> str:
+        """The name as the stubs have it, with its type."""
+        if self.arguments is not None:
+            return f"{self.name}({self.arguments}) -> {self.type}"
+        return f"{self.name}: TypeAlias = {self.type}" if self.is_alias else f"{self.name}: {self.type}"
 
     @property
     def example(self) -> str:
@@ -33,8 +46,24 @@ class GuestClass:
 
     name: str
     description: str
-    attributes: tuple[GuestName, ...]
-    methods: tuple[GuestName, ...]
+    members: tuple[GuestName, ...]
+    base: str
+    """What it is made of, such as `list[Part]`; empty where that is nothing."""
+
+    @property
+    def attributes(self) -> tuple[GuestName, ...]:
+        """What is read of it."""
+        return tuple(each for each in self.members if each.arguments is None)
+
+    @property
+    def methods(self) -> tuple[GuestName, ...]:
+        """What is called of it."""
+        return tuple(each for each in self.members if each.arguments is not None)
+
+    @property
+    def is_query(self) -> bool:
+        """Is it the shape of a dictionary that programs of the parser pass to find_parts?"""
+        return self.base == "TypedDict"
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,11 +71,31 @@ class GuestApi:
     """The whole guest API, in the order in which it is written."""
 
     description: str
-    classes: tuple[GuestClass, ...]
-    functions: tuple[GuestName, ...]
-    variables: tuple[GuestName, ...]
-    types: tuple[GuestName, ...]
-    """Names that only stand for types, such as `Vector`."""
+    names: tuple[GuestName | GuestClass, ...]
+
+    @property
+    def classes(self) -> tuple[GuestClass, ...]:
+        """Which classes has it?"""
+        return tuple(each for each in self.names if isinstance(each, GuestClass))
+
+    @property
+    def _single(self) -> tuple[GuestName, ...]:
+        return tuple(each for each in self.names if isinstance(each, GuestName))
+
+    @property
+    def functions(self) -> tuple[GuestName, ...]:
+        """Which functions has it?"""
+        return tuple(each for each in self._single if each.arguments is not None)
+
+    @property
+    def variables(self) -> tuple[GuestName, ...]:
+        """Which values does a program find?"""
+        return tuple(each for each in self._single if each.arguments is None and not each.is_alias)
+
+    @property
+    def types(self) -> tuple[GuestName, ...]:
+        """Which names only stand for types, such as `Vector`?"""
+        return tuple(each for each in self._single if each.is_alias)
 
 
 def guest_api_text() -> str:
@@ -58,14 +107,7 @@ def guest_api_text() -> str:
 def guest_api() -> GuestApi:
     """What is in the guest API?"""
     tree = ast.parse(guest_api_text())
-    annotated = _attributes(tree.body)
-    return GuestApi(
-        description=ast.get_docstring(tree) or "",
-        classes=tuple(_class(node) for node in tree.body if isinstance(node, ast.ClassDef)),
-        functions=tuple(_function(node) for node in tree.body if isinstance(node, ast.FunctionDef)),
-        variables=tuple(each for each in annotated if "TypeAlias" not in each.signature),
-        types=tuple(each for each in annotated if "TypeAlias" in each.signature),
-    )
+    return GuestApi(ast.get_docstring(tree) or "", tuple(_names(tree.body)))
 
 
 def syntax_of(code: str) -> ast.Module | None:
@@ -103,27 +145,32 @@ _GENERATED = (
 )
 
 
-def _class(node: ast.ClassDef) -> GuestClass:
-    methods = tuple(_function(each) for each in node.body if isinstance(each, ast.FunctionDef))
-    return GuestClass(node.name, ast.get_docstring(node) or "", _attributes(node.body), methods)
+def _names(body: list[ast.stmt]) -> Iterator[GuestName | GuestClass]:
+    """What is written in `body`; a text right after an annotated name is its docstring."""
+    for node, after in zip(body, [*body[1:], None], strict=True):
+        match node:
+            case ast.ClassDef():
+                members = tuple(each for each in _names(node.body) if isinstance(each, GuestName))
+                base = ", ".join(ast.unparse(each) for each in node.bases)
+                yield GuestClass(node.name, ast.get_docstring(node) or "", members, base)
+            case ast.FunctionDef(returns=ast.expr() as returned):
+                yield GuestName(node.name, ast.unparse(returned), ast.get_docstring(node) or "", _arguments(node.args))
+            case ast.AnnAssign(annotation=kind, value=value):
+                told = after.value if isinstance(after, ast.Expr) else None
+                text = str(told.value) if isinstance(told, ast.Constant) else ""
+                name, of = ast.unparse(node.target), ast.unparse(value or kind)
+                yield GuestName(name, of, text, is_alias=value is not None)
 
 
-def _attributes(body: list[ast.stmt]) -> tuple[GuestName, ...]:
-    """The annotated names in `body`; a text right after one is its docstring."""
-    found = []
-    for number, node in enumerate(body):
-        if not isinstance(node, ast.AnnAssign):
-            continue
-        after = body[number + 1] if number + 1 < len(body) else None
-        told = after.value.value if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant) else ""
-        found.append(GuestName(ast.unparse(node.target), ast.unparse(node), str(told)))
-    return tuple(found)
-
-
-def _function(node: ast.FunctionDef) -> GuestName:
-    arguments = ast.unparse(node.args).removeprefix("self, ").removeprefix("self")
-    returned = f" -> {ast.unparse(node.returns)}" if node.returns else ""
-    return GuestName(node.name, f"{node.name}({arguments}){returned}", ast.get_docstring(node) or "")
+def _arguments(all_of: ast.arguments) -> str:
+    """The arguments but `self`."""
+    given = [each for each in all_of.args if each.arg != "self"]
+    defaults = [*[None] * (len(given) - len(all_of.defaults)), *all_of.defaults]
+    written = [
+        ast.unparse(each) + (f" = {ast.unparse(value)}" if value else "")
+        for each, value in zip(given, defaults, strict=True)
+    ]
+    return ", ".join(written)
 
 
 def _row(each: GuestName) -> str:
