@@ -1,4 +1,4 @@
-"""The examples of CONTRIBUTING.md can be followed: on a copy of the tree each applies, and its tests pass."""
+"""The examples of CONTRIBUTING.md can be followed: on a copy each applies, passes the linter, and passes its tests."""
 
 from __future__ import annotations
 
@@ -135,22 +135,30 @@ def overlay(tree: Path) -> None:
         shutil.copy(ROOT / name, tree)
 
 
+def run_in(tree: Path, *module: str) -> subprocess.CompletedProcess[str]:
+    """Runs a module of Python on the copy."""
+    folders = [*tree.glob("packages/*"), *tree.glob("services/*")]
+    return subprocess.run(
+        [sys.executable, "-m", *module], cwd=tree, capture_output=True, text=True, check=False,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, folders)), "PYTHONDONTWRITEBYTECODE": "1"},
+    )  # fmt: skip
+
+
 def test_all_examples_can_be_followed(tmp_path: Path) -> None:
     overlay(tmp_path)
-    chosen = []
+    chosen, written = [], set()
     for name, text in EXAMPLES.items():
         added = [path for how, path, _ in parts(text) if how == "+++"]
         assert any(path.startswith("tests/") for path in added), f"{name}: no test"
         for how, path, lines in parts(text):
             (change if how == "---" else add)(tmp_path / path, lines)
+            written |= {path} if path.endswith(".py") else set()
             if path.startswith("tests/"):
                 chosen += [f"{path}::{found[1]}" for line in lines if (found := re.match(r"\+def (test_\w+)", line))]
-    folders = [*tmp_path.glob("packages/*"), *tmp_path.glob("services/*")]
-    done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *chosen],
-        cwd=tmp_path, capture_output=True, text=True, check=False,
-        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, folders)), "PYTHONDONTWRITEBYTECODE": "1"},
-    )  # fmt: skip
+    for lint in (("check",), ("format", "--diff")):
+        linted = run_in(tmp_path, "ruff", *lint, "--no-cache", *sorted(written))
+        assert linted.returncode == 0, linted.stdout + linted.stderr
+    done = run_in(tmp_path, "pytest", "-q", "-p", "no:cacheprovider", *chosen)
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr
     assert len(chosen) >= len(EXAMPLES)
     assert f"{len(chosen)} passed" in done.stdout
