@@ -9,6 +9,7 @@ from typing import Any
 
 from querycad_contracts import Answer, AnswerType, Expectation, LengthUnit, Unit
 
+from .drawing.numbers import SIGNIFICANT_DIGITS
 from .quantities import frame, scalar_type, triple_type
 
 
@@ -43,8 +44,6 @@ _UNITS = {
 _EXPONENT = {1: "", 2: "²", 3: "³"}
 _TRIPLES = (AnswerType.POINT, AnswerType.DIRECTION, AnswerType.SIZE)
 _NUMBERS = (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE, AnswerType.NUMBER)
-SIGNIFICANT_DIGITS = 6
-"""Digits shown to people: 0.1 mm in a model of a hundred metres. The value itself is not rounded."""
 SAME = 1e-6
 """Relative difference up to which two programs' values are the same: far below what is shown."""
 

@@ -36,7 +36,7 @@ from .grounding.find import find, present
 from .grounding.ground import ground
 from .grounding.inventory import Inventory
 from .measuring import Kernel
-from .model import Artefacts, Model
+from .model import Artefacts
 from .vectors import AXES, cross, dot, line_distance, norm
 
 if TYPE_CHECKING:
@@ -55,7 +55,6 @@ class LocalPartFinder:
     def __init__(
         self,
         artefacts: Artefacts,
-        model: Model | None = None,
         networks: Networks = no_networks,
         vision: VisionOptions | None = None,
         keep: Keep = keep_here,
@@ -69,7 +68,7 @@ class LocalPartFinder:
         self._vision = Vision(artefacts, networks, vision, keep)
         self._sights = Sights(artefacts, keep, fetch)
         self._kernel = Kernel(artefacts)
-        self.model = model or artefacts.load_model()
+        self.model = artefacts.load_model()
 
     @cached_property
     def _parts(self) -> dict[str, Part]:

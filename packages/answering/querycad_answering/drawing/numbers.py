@@ -7,6 +7,8 @@ from collections.abc import Iterable
 
 from querycad_contracts import LengthUnit, Vector
 
+SIGNIFICANT_DIGITS = 6
+"""Digits shown to people: 0.1 mm in a model of a hundred metres. The value itself is not rounded."""
 _DECIMALS = {LengthUnit.MM: 3, LengthUnit.CM: 4, LengthUnit.IN: 4, LengthUnit.M: 6}
 """A micrometre, or a ten-thousandth of an inch: finer than parts are made, and than files are exact."""
 ALIGNED = 1.0 - 1e-6
@@ -35,11 +37,11 @@ def unit_name(unit: LengthUnit) -> str:
     return "inches" if unit is LengthUnit.IN else unit.value
 
 
-def significant(value: float, digits: int = 6) -> str:
-    """The number with so many digits that count, and no exponent: for areas and volumes."""
+def significant(value: float) -> str:
+    """The number with `SIGNIFICANT_DIGITS`, and no exponent: for areas and volumes."""
     if value == 0.0:
         return "0"
-    return number(value, max(0, digits - 1 - math.floor(math.log10(abs(value)))))
+    return number(value, max(0, SIGNIFICANT_DIGITS - 1 - math.floor(math.log10(abs(value)))))
 
 
 def degrees(radians: float) -> str:

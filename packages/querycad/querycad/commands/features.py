@@ -17,6 +17,8 @@ from querycad_segworker.model import Artefacts
 from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, complain
 from .reading import read
 
+FACES_LISTED = 8
+
 
 def features(options: argparse.Namespace) -> int:
     """Prints the parts of a model, or what was refused; returns the exit code."""
@@ -83,8 +85,8 @@ def _grouped(wanted: Sequence[Part], parts: Sequence[Part], options: argparse.Na
         yield f"surfaces by shape: {counted}; --kind lists those of one, --all each part"
 
 
-def listed(faces: Iterable[int], most: int = 8) -> str:
-    """The numbers of faces; after `most` the rest is counted."""
+def listed(faces: Iterable[int]) -> str:
+    """The numbers of faces; after `FACES_LISTED` the rest is counted."""
     ids = [str(face) for face in faces]
-    more = f" and {len(ids) - most} more" if len(ids) > most else ""
-    return ", ".join(ids[:most]) + more
+    more = f" and {len(ids) - FACES_LISTED} more" if len(ids) > FACES_LISTED else ""
+    return ", ".join(ids[:FACES_LISTED]) + more

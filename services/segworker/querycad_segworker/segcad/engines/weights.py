@@ -161,11 +161,10 @@ def absence(weights: Path) -> str | None:
     return f"no weights {missing} in {weights}: `querycad models pull` gets them (about {size:.0f} MB)"
 
 
-def load_models(weights: Path, box_threshold: float = DetectorOptions().threshold, threads: int = 0) -> VisionModels:
+def load_models(weights: Path, box_threshold: float = DetectorOptions().threshold) -> VisionModels:
     """The detector and the segmenter to be used, loaded once a process.
 
-    weights: QUERYCAD_HOME/weights. threads: of each network; 0: the cores of this process. Raises WeightsAbsent, for
-    spoilt weights and unknown layouts too.
+    weights: QUERYCAD_HOME/weights. Raises WeightsAbsent, for spoilt weights and unknown layouts too.
     """
     missing = absence(weights)
     if missing:
@@ -174,20 +173,20 @@ def load_models(weights: Path, box_threshold: float = DetectorOptions().threshol
     # what sessions are kept by, and none is ever let go.
     process = os.getpid()
     try:
-        graph, tokenizer = _detector(process, next(present(weights, Role.DETECTOR)), threads)
+        graph, tokenizer = _detector(process, next(present(weights, Role.DETECTOR)))
         detector = GroundingDino(graph, tokenizer, DetectorOptions(threshold=box_threshold))
-        return VisionModels(detector, Sam(*_segmenter(process, next(present(weights, Role.SEGMENTER)), threads)))
+        return VisionModels(detector, Sam(*_segmenter(process, next(present(weights, Role.SEGMENTER)))))
     except UnknownLayout as error:
         raise WeightsAbsent(f"the weights cannot be used: {error}; `querycad models verify` checks them") from error
 
 
 @cache
-def _detector(process: int, folder: Path, threads: int) -> tuple[Graph, Tokenizer]:
+def _detector(process: int, folder: Path) -> tuple[Graph, Tokenizer]:
     del process
-    return Graph(folder / "model.onnx", threads), Tokenizer(folder / "vocab.txt")
+    return Graph(folder / "model.onnx"), Tokenizer(folder / "vocab.txt")
 
 
 @cache
-def _segmenter(process: int, folder: Path, threads: int) -> tuple[Graph, Graph]:
+def _segmenter(process: int, folder: Path) -> tuple[Graph, Graph]:
     del process
-    return Graph(folder / "encoder.onnx", threads), Graph(folder / "decoder.onnx", threads)
+    return Graph(folder / "encoder.onnx"), Graph(folder / "decoder.onnx")
