@@ -29,7 +29,8 @@ NO_ACCOUNTS = "local"
 class Queue(StrEnum):
     """The queues, by what they need: a kernel for minutes, a model for milliseconds, pictures for seconds, the sandbox.
 
-    Pictures are drawn, or looked at.
+    Pictures are drawn, or looked at. On `segcad` parts are found and measured, whatever finds them: deployments and the
+    store's access lists have the name.
     """
 
     INGEST = "ingest"
