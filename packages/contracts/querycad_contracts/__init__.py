@@ -93,6 +93,7 @@ from .resources import (
     SegmentRequest,
 )
 from .runs import (
+    MOST_SHOWN,
     RESULT,
     FoundFaces,
     Grounding,

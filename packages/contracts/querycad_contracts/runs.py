@@ -16,6 +16,8 @@ RunId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one r
 
 RESULT = "solution"
 """The variable that holds a program's result."""
+MOST_SHOWN = 30
+"""Most parts that are numbered in one picture."""
 
 
 class Grounding(Frozen):
@@ -43,7 +45,7 @@ class PictureRequest(Frozen):
     """A picture that a program asks for: the model from a side, these parts numbered."""
 
     side: Side | None = Field(None, description="Null: from wherever the parts are seen best.")
-    parts: tuple[str, ...] = Field((), max_length=30, description="Ids of the parts.")
+    parts: tuple[str, ...] = Field((), max_length=MOST_SHOWN, description="Ids of the parts.")
 
 
 class FoundFaces(Frozen):

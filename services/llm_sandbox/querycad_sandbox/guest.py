@@ -17,6 +17,7 @@ from uuid import UUID
 from pydantic_monty import ClassInstance, ClassType, MontyClassProxy
 
 from querycad_contracts import (
+    MOST_SHOWN,
     Body,
     Face,
     Grounding,
@@ -74,8 +75,6 @@ FUNCTIONS: Final = ("find_parts", "parts", "faces", "adjacent", "look", "picture
 """What of the guest API asks the host; the rest is Python inside the sandbox."""
 BOX_SLACK_M: Final = 1e-6
 """A centre on the border of a box counts as in it: above kernel noise, below drawing accuracy."""
-MOST_SHOWN: Final = 30
-"""Most parts that are numbered in one picture; the contract has the same."""
 FACES: Final = 5000
 """Most faces of one faces() call; a program that wants more has not said which."""
 SAID_CHARS: Final = 300
@@ -127,7 +126,7 @@ class View(ClassInstance):
         if name in ON_DEMAND.get(type(self.value), ()) and (made := self.guest.made(self.value, name)) is not None:
             return made
         self.guest.absence = self.lacks(name)
-        if name in _KNOWN[_NAMES[type(self.value)]] and not self.guest.absence_raises:
+        if name in _KNOWN[_NAMES[type(self.value)]] and not self.guest.is_strict:
             return None
         raise AttributeError(self.guest.absence.text)
 
@@ -163,14 +162,12 @@ class PartView(View):
 class Guest:
     """Answers one program's calls from one model, and keeps the groundings."""
 
-    def __init__(
-        self, finder: PartFinder, control: RunControl, memory_bytes: int, absence_raises: bool = False
-    ) -> None:
+    def __init__(self, finder: PartFinder, control: RunControl, memory_bytes: int, is_strict: bool = False) -> None:
         """`memory_bytes`: what the model's objects may take here, outside the interpreter's heap.
 
-        `absence_raises`: a measure that is not there is an AttributeError, as programs expect that catch it.
+        `is_strict`: a measure that is not there is an AttributeError, as programs expect that catch it.
         """
-        self.absence_raises = absence_raises
+        self.is_strict = is_strict
         self._finder = finder
         self._control = control
         self._memory_bytes = memory_bytes
