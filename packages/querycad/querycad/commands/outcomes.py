@@ -13,7 +13,7 @@ EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
 
 def complain(message: str, code: int = EXIT_BAD_INPUT) -> int:
     """Says what is wrong; returns the exit code."""
-    from querycad_contracts.logs import printable  # here: what succeeds does not need it
+    from querycad_contracts.infrastructure.logs import printable  # here: what succeeds does not need it
 
     print(f"querycad: {printable(message)}", file=sys.stderr)
     return code
