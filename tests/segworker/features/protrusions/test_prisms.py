@@ -4,7 +4,20 @@ import math
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import chamfered, cone, cut, cylinder, extruded, find, fuse, turned, upright
+from tests.segworker.shapes import (
+    chamfered,
+    compound,
+    cone,
+    cut,
+    cylinder,
+    edges,
+    extruded,
+    filleted,
+    find,
+    fuse,
+    turned,
+    upright,
+)
 
 FLATS = 10.0
 HEXAGON = [
@@ -68,3 +81,27 @@ def test_corners_turned_off_by_a_cone_leave_a_hexagon_as_high_as_it_is() -> None
     pencil = extruded(HEXAGON, 0, 30)
     sharpened = cut(pencil, fuse(cylinder(8, 5), cone(8, 0.5, 25, (0, 0, 5))))
     assert all(height < 20 for height, _ in hexagons(cut(pencil, sharpened)))
+
+
+@pytest.mark.parametrize("degrees", [0, 49, 91, 105])
+def test_two_ends_in_one_plane_close_no_ring_around_the_material(degrees: float) -> None:
+    whole = cut(cylinder(65, 30), cylinder(35, 30))
+    half = cut(whole, extruded([(-70, -70), (70, -70), (70, 0), (-70, 0)], 0, 30))
+    assert not find(turned(half, (1, 2, 3), degrees)).of("prism")
+    bar = extruded([(35, 0), (65, 0), (65, 90), (35, 90)], 0, 30)
+    assert len(find(turned(bar, (1, 2, 3), degrees)).of("prism")) == 1
+
+
+def test_a_rounded_plate_that_carries_something_is_one_plate_with_both_its_faces() -> None:
+    corners = [(0.0, 0.0), (120.0, 0.0), (60.0, 90.0)]
+    outline = extruded(corners, 0, 10)
+    rounded = filleted(outline, 12, *upright(outline))
+    rims = [edge for edge in edges(rounded) if not any(edge.IsSame(one) for one in upright(rounded))]
+    carrier = fuse(filleted(rounded, 2, *rims), cylinder(20, 60, (60, 35, 5)))
+    found = find(carrier)
+    (plate,) = found.of("prism")
+    largest = sorted(found.brep.faces, key=lambda face: -face.area)[:3]
+    assert plate.height == pytest.approx(0.01)
+    assert {face.id for face in largest if abs(face.axis[2]) > 0.9 and face.kind == "plane"} <= set(plate.faces)
+    second = extruded([(x, y + 200) for x, y in corners], 0, 10)
+    assert len(find(compound(carrier, second)).of("prism")) == 2

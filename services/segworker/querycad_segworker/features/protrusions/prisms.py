@@ -32,6 +32,8 @@ from querycad_segworker.vectors import (
 
 MAX_SIDES = 12
 """More sides than this are a faceted circle."""
+ONE_WAY = 1e-3
+"""Sine of the angle below which two sides look the same way, as for the edges between them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +71,8 @@ def recognise_prisms(brep: Brep, chamfers: Collection[int] = ()) -> list[Prism]:
                 continue
             if not _faces_out(brep, ring, direction):
                 refuse("prism", ring, "its sides face each other: the walls of a cut")
+            elif _turns_back(brep, ring):
+                refuse("prism", ring, "two of its sides look the same way: they go around no material")
             elif len(ring) > MAX_SIDES:
                 refuse("prism", ring, f"its {len(ring)} sides are those of a faceted circle")
             elif _meets_in_chamfers(brep, ring, direction, chamfers):
@@ -138,6 +142,12 @@ def _faces_out(brep: Brep, ring: set[int], direction: Vector) -> bool:
     return all(dot(sub(brep.faces[side].point, middle), brep.faces[side].axis) > 0 for side in ring)
 
 
+def _turns_back(brep: Brep, ring: set[int]) -> bool:
+    """Do two sides look the same way? Sides that turn around the material by convex corners never do."""
+    normals = [brep.faces[side].axis for side in sorted(ring)]
+    return any(dot(a, b) > 0 and parallel(a, b, ONE_WAY) for i, a in enumerate(normals) for b in normals[i + 1 :])
+
+
 def _corners(brep: Brep, ring: set[int], direction: Vector) -> list[EdgeRecord]:
     """The edges along the prism in which its sides meet each other, or the corners between them."""
     return [
@@ -158,6 +168,7 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
     """
     axis = upwards(direction)
     breaks = _edge_breaks(brep, ring, axis)
+    breaks |= _edge_breaks(brep, {face for face in breaks if _is_corner(brep, brep.faces[face])}, axis) - ring
     caps = _caps(brep, ring | breaks, axis)
     corners = _corners(brep, ring, direction)
     whole = {side for side in ring if not _runs_on(brep, side, corners, axis)}
@@ -221,7 +232,7 @@ def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector)
 
 
 def _edge_breaks(brep: Brep, ring: set[int], axis: Vector) -> set[int]:
-    """Chamfers and roundings between the sides and the ends, of the ring's own size: they belong to the prism."""
+    """Chamfers and roundings between the sides, or the corners, and the ends: they belong to the prism."""
     breaks = set()
     for side in ring:
         for edge, other in brep.neighbours(side):

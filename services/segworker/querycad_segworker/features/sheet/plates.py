@@ -99,7 +99,7 @@ def _bases(across: _Across, known: Sequence[Prism], tolerances: Tolerances) -> l
         if side.level - far * math.copysign(1.0, face.axis[axis]) < across.near:
             continue  # the body is no thicker than it: a plate with holes
         alike = (prism for prism in [*known, *found] if parallel(prism.normal, face.axis, SQUARE))
-        if any(not {face.id, *side.below}.isdisjoint(prism.faces) for prism in alike):
+        if any(_is_one(prism, side) or not {face.id, *side.below}.isdisjoint(prism.faces) for prism in alike):
             continue
         slab = _plate(brep, side, tolerances, BASE_RATIO)
         if slab is not None:
