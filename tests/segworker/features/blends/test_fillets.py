@@ -2,10 +2,27 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from OCP.BRepFilletAPI import BRepFilletAPI_MakeFillet
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
-from tests.segworker.shapes import box, cut, cylinder, edges, filleted, find, fuse, nurbs, plate, rims, turned, upright
+from tests.segworker.shapes import (
+    box,
+    cut,
+    cylinder,
+    edges,
+    extruded,
+    filleted,
+    find,
+    fuse,
+    nurbs,
+    plate,
+    prism,
+    rims,
+    turned,
+    upright,
+)
 
 MM = 1e-3
 MOVES = {"as built": lambda shape: shape, "oblique": lambda shape: turned(shape, (1, 2, 3), 37), "B-splines": nurbs}
@@ -93,3 +110,18 @@ def _is_space_curve(edge: TopoDS_Edge) -> bool:
 
     plain = (GeomAbs_CurveType.GeomAbs_Line, GeomAbs_CurveType.GeomAbs_Circle)
     return BRepAdaptor_Curve(edge).GetType() not in plain
+
+
+def test_corners_cut_off_a_block_are_chamfers_and_the_end_between_them_is_none() -> None:
+    block = extruded([(15, 0), (80, 0), (80, 40), (15, 40), (0, 25), (0, 15)], 0, 20)
+    for shape in (block, turned(block, (1, 2, 3), 40)):
+        found = find(shape).of("chamfer")
+        assert [one.width for one in found] == pytest.approx([15e-3 * math.sqrt(2)] * 2)
+    octagon = [(math.cos(math.radians(45 * i)), math.sin(math.radians(45 * i))) for i in range(8)]
+    assert not find(extruded([(20 * x, 20 * y) for x, y in octagon], 0, 20)).of("chamfer")
+
+
+def test_a_slope_that_carries_a_boss_shapes_the_body() -> None:
+    wedge = prism([(0, 0, 0), (60, 0, 0), (60, 0, 20), (25, 0, 55), (0, 0, 55)], (0, 45, 0))
+    assert len(find(wedge).of("chamfer")) == 1
+    assert not find(fuse(wedge, cylinder(8, 20, (42.5, 22.5, 37.5), (1, 0, 1)))).of("chamfer")

@@ -58,6 +58,7 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
     """
     kinds: dict[int, tuple[str, float]] = {}
     balls: dict[int, RolledFace] = {}
+    strips: dict[int, _Strip] = {}
     for face in brep.faces:
         if face.id in taken and not _is_rim(brep, face):
             continue
@@ -67,8 +68,9 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
         elif (rolled := rolled_face(brep, face)) is not None:
             kinds[face.id] = (rolled.kind, sum(rolled.radii) / 2)
             balls[face.id] = rolled
-        elif (width := _chamfer_width(brep, face)) is not None:
-            kinds[face.id] = ("chamfer", width)
+        elif (strip := _chamfer(brep, face)) is not None:
+            strips[face.id] = strip
+    kinds |= {face: ("chamfer", strip.width) for face, strip in _breaking_edges(strips).items()}
     found, seen = [], set[int]()
     for start in sorted(kinds):
         if start in seen:
@@ -133,12 +135,32 @@ def _angle(brep: Brep, face: int) -> float:
     return max(sides)[1]
 
 
-def _chamfer_width(brep: Brep, face: FaceRecord) -> float | None:
-    """The width of a plane or conical strip that breaks an edge, or None when the face is no chamfer.
+@dataclass(frozen=True, slots=True)
+class _Strip:
+    """A chamfer: its width, metres, and the two faces whose edge it breaks."""
+
+    width: float
+    beside: set[int]
+    is_corner: bool
+    """It takes away so much of them that it is a corner cut off, as of a plate."""
+
+
+def _breaking_edges(strips: Mapping[int, _Strip]) -> dict[int, _Strip]:
+    """Those whose own edges no others break: no face between two of them, nor a cut corner beside a narrower one."""
+    kept = {face: strip for face, strip in strips.items() if not strips.keys() >= strip.beside}
+    narrow = {face for face, strip in kept.items() if not strip.is_corner}
+    found = {face: strip for face, strip in kept.items() if not strip.is_corner or narrow.isdisjoint(strip.beside)}
+    for face in strips.keys() - found.keys():
+        refuse("chamfer", (face,), "its own edges are broken by chamfers")
+    return found
+
+
+def _chamfer(brep: Brep, face: FaceRecord) -> _Strip | None:
+    """The plane or conical strip that breaks an edge, or None when the face is no chamfer.
 
     It turns by 20 to 70 degrees into each of two faces, and those would meet at about a right angle without it. They
-    reach further than the strip is wide, as on the cut corner of a plate too; beside a strip longer than wide at least
-    half as far, unless it and they are sides of one polygon.
+    reach further than the strip is wide, as on the cut corner of a plate too. Beside a strip that is longer than it
+    takes away of either, and carries nothing, half as far as that is enough, unless all are sides of one polygon.
     """
     if face.kind is SurfaceKind.PLANE:
         edges = [brep.edges[e] for e in face.loops[0].edges] if face.loops else []
@@ -156,7 +178,8 @@ def _chamfer_width(brep: Brep, face: FaceRecord) -> float | None:
         return None
     reason = _shapes_body(brep, face, (first, second), (a, b), width, length)
     if reason is None:
-        return width
+        is_corner = face.kind is SurfaceKind.PLANE and min(a.reach, b.reach) < CHAMFER_NEIGHBOURS * width
+        return _Strip(width, {a.face.id, b.face.id}, is_corner)
     refuse("chamfer", (face.id,), reason)
     return None
 
@@ -182,10 +205,17 @@ def _shapes_body(
         return "it ends at a wall that belongs to the cut: a step"
     if min(a.reach, b.reach) >= CHAMFER_NEIGHBOURS * width:
         return None
-    whole_corner = length >= width and min(a.reach, b.reach) >= CORNER_SHARE * width
-    if whole_corner and not _is_polygon(brep, face, first, second, width):
+    legs = [(one, width * math.cos(one.turn)) for one in sides]
+    whole_corner = all(length >= leg <= one.reach / CORNER_SHARE for one, leg in legs)
+    if whole_corner and not _carries(brep, face) and not _is_polygon(brep, face, first, second, width):
         return None
     return "it takes so much of the faces beside it that it shapes the body"
+
+
+def _carries(brep: Brep, face: FaceRecord) -> bool:
+    """Does something stand on it?"""
+    inner = {e for loop in face.loops if not loop.outer for e in loop.edges}
+    return any(brep.edges[e].convexity is EdgeConvexity.CONCAVE for e in inner)
 
 
 def _slanted_sides(face: FaceRecord, edges: Sequence[EdgeRecord]) -> list[list[EdgeRecord]]:
