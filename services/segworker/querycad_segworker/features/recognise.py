@@ -177,7 +177,7 @@ def _parts(
     blends = [found for found in blends if not pointed.issuperset(found.faces)]
     depressions = _outside("slot", depressions, toothed, "it is the gap between two teeth")
     threads = [frozenset(hole.faces) for hole in holes if "threaded" in hole.tags]
-    grooves = recognise_turned_grooves(brep, found_walls, tolerances)
+    grooves = _not_voids(recognise_turned_grooves(brep, found_walls, tolerances), depressions)
     grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
     standing_out = _standing_out(brep, round_faces, ribs, chamfers, tolerances)
     prisms = standing_out.prisms
@@ -274,6 +274,12 @@ def _outside(kind: str, found: Sequence[D], larger: Sequence[frozenset[int]], re
         else:
             kept.append(record)
     return kept
+
+
+def _not_voids(grooves: Sequence[TurnedGroove], depressions: Sequence[Depression]) -> list[TurnedGroove]:
+    """Without those that are a closed void by themselves: a groove opens at the surface that it is turned into."""
+    voids = {found.faces for found in depressions if found.kind is DepressionKind.CAVITY}
+    return [groove for groove in grooves if groove.faces not in voids]
 
 
 def _is_island(boss: Boss, holes: Sequence[Hole], tolerances: Tolerances) -> bool:

@@ -160,3 +160,10 @@ def test_a_screw_boss_grows_out_of_the_corner_of_a_box() -> None:
 def test_the_round_end_of_an_arm_is_no_boss() -> None:
     arm = fuse(box((40, 16, 10), (0, -8, 0)), cylinder(8, 10))
     assert not find(cut(arm, cylinder(3, 10))).of("boss")
+
+
+@pytest.mark.parametrize(("deep", "tube"), [(25, False), (50, True), (60, True)])
+def test_a_tube_is_bored_along_most_of_it_and_a_shaft_with_a_hole_in_it_is_none(deep: float, *, tube: bool) -> None:
+    boss = only_boss(cut(cylinder(7.5, 60), cylinder(4, deep)))
+    assert ("tube" in boss.tags) is tube
+    assert boss.label.partition(",")[0] == ("tube" if tube else "shaft")

@@ -20,6 +20,7 @@ from tests.segworker.shapes import (
     fuse,
     plate,
     rims,
+    torus,
     turned,
 )
 
@@ -153,9 +154,9 @@ def test_cones_inner_and_outer_are_parts_with_both_radii() -> None:
 def test_a_torus_is_a_part_with_its_two_radii() -> None:
     from OCP.BRepPrimAPI import BRepPrimAPI_MakeTorus
 
-    (torus,) = find(BRepPrimAPI_MakeTorus(20, 4).Shape()).of("torus")
-    assert list(torus.radii) == near(20, 4)
-    assert torus.diameter == pytest.approx(48 * MM)
+    (ring,) = find(BRepPrimAPI_MakeTorus(20, 4).Shape()).of("torus")
+    assert list(ring.radii) == near(20, 4)
+    assert ring.diameter == pytest.approx(48 * MM)
 
 
 def hexagon(flats: float) -> list[tuple[float, float]]:
@@ -288,3 +289,11 @@ def test_two_flanges_of_a_spool_are_flat_though_one_is_thick() -> None:
     spool = fuse(cylinder(30, 10), cylinder(15, 60, (0, 0, 10)), cylinder(30, 32, (0, 0, 70)))
     low, *_ = (boss for boss in find(spool).of("boss") if boss.height == pytest.approx(10e-3))
     assert "flat" in low.tags
+
+
+def test_a_void_is_a_cavity_and_no_groove() -> None:
+    hollow = find(cut(torus(25, 5), torus(25, 3)))
+    assert len(hollow.of("cavity")) == 1
+    assert not hollow.of("groove")
+    (groove,) = find(cut(cylinder(25, 40), torus(25, 3, (0, 0, 20)))).of("groove")
+    assert groove.depth == pytest.approx(3e-3)

@@ -83,8 +83,10 @@ def _boss_name(boss: Boss) -> str:
         return "rim"
     if boss.hole is not None and "flat" in boss.tags:
         return "flange" if "flange" in boss.tags else "ring" if "raised" in boss.tags else "disc"
-    if boss.hole is not None:
-        return "tube" if "tube" in boss.tags and "slender" in boss.tags else "standoff"
+    if {"tube", "slender"} <= set(boss.tags):
+        return "tube"
+    if boss.hole is not None and not {"slender", "free"} <= set(boss.tags):
+        return "standoff"
     return "shaft" if "slender" in boss.tags else "disc" if "flat" in boss.tags else "boss"
 
 

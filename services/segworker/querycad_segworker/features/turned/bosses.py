@@ -29,6 +29,9 @@ SLENDER = 1.0
 """Longer than its diameter: a shaft, pin or rod rather than a boss or disc."""
 TUBE_RATIO = 0.5
 """A bore of more than half the diameter makes a tube; below that it is a shaft or boss with a bore."""
+HOLLOW = 0.5
+"""A tube is bored along more than this share of its height: it may be closed at one end; a shaft with a hole in its end
+is none."""
 FLANGE_RATIO = 1.2
 """A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 
@@ -236,7 +239,8 @@ def _boss(
             faces.add(end_face)
     hole = _hole_in(holes, axis, wall, tip, base)
     bore_radius = None if hole is None else _bore_radius(holes[hole], axis, low, high)
-    tags = _tags(stack, steps, step, high - low, bore_radius, on_both=is_clasped(brep, axis, own))
+    bored = 0.0 if hole is None else _bored(holes[hole], axis, low, high)
+    tags = _tags(stack, steps, step, high - low, bore_radius, bored, on_both=is_clasped(brep, axis, own))
     return Boss(
         base=base,
         tip=tip,
@@ -271,12 +275,14 @@ def _tags(
     step: tuple[Wall, ...],
     height: float,
     bore_radius: float | None,
+    bored: float,
     *,
     on_both: bool,
 ) -> tuple[str, ...]:
     """Canonical attributes of the lexicon, from the step's own proportions and from its neighbours.
 
-    `on_both`: something narrower stands on both of its end faces, whatever its outline.
+    `bored`: along how much of its height its bore runs, metres. `on_both`: something narrower stands on both of its end
+    faces, whatever its outline.
     """
     radius = step[0].radius
     place = steps.index(step)
@@ -294,7 +300,7 @@ def _tags(
         tags.append("threaded")
     if bore_radius is not None:
         tags.append("hollow")
-        if not flat and bore_radius >= TUBE_RATIO * radius:
+        if not flat and bore_radius >= TUBE_RATIO * radius and bored > HOLLOW * height:
             tags.append("tube")
     if free:
         tags.append("free")
@@ -381,6 +387,12 @@ def _domed(brep: Brep, stack: Stack, low: float, high: float, faces: set[int]) -
                 low, high = (low, max(high, top)) if at_high else (min(low, top), high)
                 faces.add(face_id)
     return low, high
+
+
+def _bored(hole: Hole, axis: Axis, low: float, high: float) -> float:
+    """Along how much of the step between `low` and `high` does the hole run? Metres."""
+    reach = [axis.position(end) for section in hole.sections for end in (section.start, section.end)]
+    return min(max(reach), high) - max(min(reach), low)
 
 
 def _bore_radius(hole: Hole, axis: Axis, low: float, high: float) -> float:
