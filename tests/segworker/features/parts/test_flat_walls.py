@@ -168,3 +168,18 @@ def test_a_leg_with_rounded_corners_is_no_thicker_than_between_its_faces() -> No
         assert part.normal is not None
         along = [abs(x) for x in part.normal].index(1.0)
         assert part.extents[along] == pytest.approx(0.008)
+
+
+def test_an_arm_bent_from_one_plate_to_another_leaves_the_corner_open_and_is_no_gusset() -> None:
+    plates = fuse(box((100, 40, 8)), box((8, 40, 90)))
+    arm = prism([(70, 18, 8), (85, 18, 8), (85, 18, 85), (8, 18, 85), (8, 18, 65), (70, 18, 65)], (0, 4, 0))
+    brace = prism([(8, 18, 8), (85, 18, 8), (8, 18, 85)], (0, 4, 0))
+    tags = [{tag for part in find(fuse(plates, one)).parts for tag in part.tags} for one in (arm, brace)]
+    assert ["gusset" in each for each in tags] == [False, True]
+
+
+def test_the_flange_at_the_end_of_a_tine_makes_that_no_thicker() -> None:
+    fork = cut(box((120, 90, 35)), box((95, 70, 35), (25, 10, 0)))
+    flanged = fuse(fork, box((10, 30, 35), (110, -30, 0)), box((10, 30, 35), (110, 90, 0)))
+    for shape in (fork, flanged):
+        assert max(wall.thickness or 0.0 for wall in find(shape).of("wall")) < 30 * MM

@@ -107,13 +107,13 @@ def recognise_flat_walls(
     }
     slots = _forks(brep, depressions)
     pockets = {face: depressions[n] for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
-    most = {face: FLATTER * pocket.depth for face, pocket in pockets.items()} | slots
-    most |= {face: FLATTER * found.depth for found in floored for face in found.floor}
+    aside = {face: FLATTER * pocket.depth for face, pocket in pockets.items()} | slots
+    below = {face: FLATTER * found.depth for found in floored for face in found.floor}
     thin: list[FlatWall] = []
     low: list[FlatWall] = []
     for pairs in alike.values():
         for faces in linked({i for pair in pairs for i in pair}, pairs):
-            wall = _wall(brep, faces, max(most.get(face, 0.0) for face in faces))
+            wall = _wall(brep, faces, *(max(most.get(face, 0.0) for face in faces) for most in (aside, below)))
             if wall is not None:
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
                 (thin if wall.is_thin else low).append(wall)
@@ -194,10 +194,11 @@ def _gap(brep: Brep, a: int, b: int) -> float:
     return abs(dot(brep.faces[a].point, brep.faces[a].axis) - dot(brep.faces[b].point, brep.faces[a].axis))
 
 
-def _wall(brep: Brep, faces: Collection[int], most: float) -> FlatWall | None:
+def _wall(brep: Brep, faces: Collection[int], aside: float, below: float) -> FlatWall | None:
     """The wall between the faces that look one way and those that look the other; None where it is too thick.
 
-    `most`: how thick it may be beside a slot or pocket, metres.
+    `aside`, `below`: how thick it may be beside a slot or pocket, and below the floor of one, metres. What is thicker
+    than it is long and wide is a block beside a pocket, no wall.
     """
     first = brep.faces[min(faces)]
     sides: dict[bool, list[FaceRecord]] = defaultdict(list)
@@ -218,7 +219,7 @@ def _wall(brep: Brep, faces: Collection[int], most: float) -> FlatWall | None:
     clear = width if area > FILLED * length * width else area / length
     thin = thickness < PLATE_RATIO * clear
     low = thickness < FLATTER * clear and thickness < PLATE_RATIO * length
-    if thickness <= 0 or not (thin or low or thickness < most):
+    if thickness <= 0 or not (thin or low or thickness < max(min(aside, length), below)):
         return None
     return FlatWall(
         thickness=thickness,

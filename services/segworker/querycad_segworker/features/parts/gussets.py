@@ -22,6 +22,8 @@ SQUARE = 0.02
 """Cosine of the angle between faces that are square to each other."""
 SPREAD = math.sin(math.radians(18.0))
 """Sine of the angle that the two faces enclose at least."""
+OPEN = 0.5
+"""The corner of a gusset may be cut off, for a weld or a fillet between the two faces, over this share of its feet."""
 CORNER = 0.75
 """The side of a gusset fills less than this share of the block over its two feet: a triangle half of it, a plate in the
 corner of a box all."""
@@ -60,6 +62,9 @@ def gusset_in(brep: Brep, sides: Sequence[int], center: Vector, thickness: float
             up = [_off(*planes[1 - i], p) for p in points if _off(*planes[i], p) > (1 - SAME) * reach[i]]
             sharp = max(up) - min(up) < SAME * reach[1 - i]  # else it ends at a face of its own
             reach[i] = toe if sharp and reach[i] < toe < reach[i] + thickness else reach[i]
+        near = (max(_off(*plane, p) / way for plane, way in zip(planes, reach, strict=True)) for p in points)
+        if min(near) > OPEN:
+            return None  # it leaves the corner open: an arm that is bent from one face to the other
         b_length, a_length = reach
     area = max(brep.faces[face].area for face in standing)
     spread = norm(cross(*normals))
