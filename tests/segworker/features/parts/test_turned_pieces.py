@@ -15,6 +15,7 @@ from tests.segworker.shapes import (
     find,
     fuse,
     plate,
+    prism,
     rims,
     scaled,
     torus,
@@ -141,3 +142,22 @@ def test_two_steps_are_both_ends_and_a_plain_pin_or_pins_beside_each_other_have_
     for none in (cylinder(5, 30), pins):
         assert not tagged(find(none), "end_step")
         assert not tagged(find(none), "middle_step")
+
+
+def sharp_angle() -> TopoDS_Shape:
+    """Two legs of sheet of 3 mm that meet in a sharp corner inside, round about that outside."""
+    legs = fuse(box((42, 30, 3), (3, 0, 0)), box((3, 30, 42), (0, 0, 3)))
+    return fuse(legs, cut(cylinder(3, 30, (3, 0, 3), Y), box((3, 30, 6), (3, 0, 0)), box((6, 30, 3), (0, 0, 3))))
+
+
+def test_a_bend_may_be_sharp_inside_where_its_outside_is_round_about_that_edge() -> None:
+    (bend,) = find(turned(sharp_angle(), (1, 2, 3), 25)).of("bend")
+    assert (bend.bend_radius, bend.radius, bend.thickness) == pytest.approx((0.0, 3 * MM, 3 * MM))
+    assert (bend.length, bend.bend_angle) == pytest.approx((30 * MM, math.pi / 2))
+
+
+@pytest.mark.parametrize("outer", [1.5, 6.0])
+def test_a_rounded_edge_behind_a_sharp_corner_is_no_bend(outer: float) -> None:
+    legs = prism([(0, 0, 0), (45, 0, 0), (45, 0, 3), (3, 0, 3), (3, 0, 45), (0, 0, 45)], (0, 30, 0))
+    tool = cut(box((outer, 30, outer)), cylinder(outer, 30, (outer, 0, outer), Y))
+    assert not find(cut(legs, tool)).of("bend")

@@ -155,3 +155,12 @@ def test_a_t_slot_is_wider_at_its_floor() -> None:
     (found,) = find(slot).of("slot")
     assert found.local_size is not None
     assert (found.width, min(found.local_size[:2])) == pytest.approx((14 * MM, 24 * MM))
+
+
+def test_bosses_on_two_walls_of_a_hollow_body_are_no_hub_through_it() -> None:
+    body = fuse(box((80, 80, 60), (-40, -40, 0)), cylinder(20, 80, (0, 0, -10)))
+    hollow = cut(body, box((60, 60, 44), (-30, -30, 8)))
+    two_bores = cut(hollow, cylinder(8, 18, (0, 0, -10)), cylinder(6, 18, (0, 0, 52)))
+    one_bore = cut(body, cylinder(8, 80, (0, 0, -10)))
+    hubs = [[part for part in find(shape).parts if "hub" in part.tags] for shape in (one_bore, two_bores)]
+    assert [len(each) for each in hubs] == [1, 0]

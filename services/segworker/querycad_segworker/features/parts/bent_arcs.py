@@ -10,8 +10,8 @@ from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.shared.axes import Wall
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
-from querycad_segworker.vectors import add, box_center, box_extents, dot, scale, unit
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord
+from querycad_segworker.vectors import add, box_center, box_extents, dot, parallel, scale, unit
 
 ALIKE = 0.1
 """Both arcs cover the same angle and length but for this share: ends may be cut square or to a point."""
@@ -26,21 +26,28 @@ HALF_RAD = (math.radians(170.0), math.radians(190.0))
 class BentArc:
     """One bend or ring sector. Metres, radians. `length`: along the axis."""
 
-    inner: Wall
+    inner: Wall | None
+    """None of a bend that is drawn sharp on its inside."""
     outer: Wall
     is_bend: bool
     """Sheet runs on from it tangentially, on one side at least."""
 
     @property
+    def inner_radius(self) -> float:
+        """Which radius has its inside? 0 where that is sharp."""
+        return 0.0 if self.inner is None else self.inner.radius
+
+    @property
     def thickness(self) -> float:
         """How thick is it, along the radius?"""
-        return self.outer.radius - self.inner.radius
+        return self.outer.radius - self.inner_radius
 
 
 def recognise_bent_arcs(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> list[BentArc]:
     """Which bends of sheet and sectors of rings does the model have? By lowest face id.
 
-    A hollow arc with a bulging one behind it, on one axis, over the same angle and the same length.
+    A hollow arc with a bulging one behind it, on one axis, over the same angle and the same length. A bend may be
+    drawn sharp on its inside: then the axis of the bulging arc is the edge there.
     """
     arcs = [
         wall for wall in walls if wall.kind is SurfaceKind.CYLINDER and not wall.encloses and wall.sweep > LEAST_RAD
@@ -59,7 +66,33 @@ def recognise_bent_arcs(brep: Brep, walls: Sequence[Wall], tolerances: Tolerance
         outer = min(behind, key=lambda wall: wall.radius, default=None)
         if outer is not None and _is_free(brep, inner):
             found.append(BentArc(inner, outer, _runs_on(brep, inner) and _runs_on(brep, outer)))
-    return sorted(found, key=lambda one: one.inner.faces)
+    corners = [e for e in brep.edges if e.convexity is EdgeConvexity.CONCAVE and e.kind is EdgeKind.LINE]
+    sharp = [wall for wall in arcs if wall.outward > 0 and _is_sharp_inside(brep, wall, corners, tolerances)]
+    found += [BentArc(None, outer, True) for outer in sharp]
+    return sorted(found, key=lambda one: (one.inner or one.outer).faces)
+
+
+def _is_sharp_inside(brep: Brep, outer: Wall, corners: Sequence[EdgeRecord], tolerances: Tolerances) -> bool:
+    """Do the planes on both sides of an arc lie as far from the two of one sharp corner as its radius?
+
+    `corners`: the straight concave edges of the model.
+    """
+    sides = [
+        brep.faces[other].axis
+        for i in outer.faces
+        for edge, other in brep.neighbours(i)
+        if edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].kind is SurfaceKind.PLANE
+    ]
+    for edge in corners:
+        on_axis = outer.axis.radius_of(edge.mid) <= 10 * tolerances.length
+        if not on_axis or edge.length < (1 - ALIKE) * outer.height:
+            continue
+        if not parallel(edge.direction, outer.axis.direction, 1e-3):
+            continue
+        inside = [brep.faces[i].axis for i in edge.faces if brep.faces[i].kind is SurfaceKind.PLANE]
+        if len(inside) == 2 and all(any(dot(a, b) < -SAME_WAY for b in sides) for a in inside):
+            return True
+    return False
 
 
 def _same_place(brep: Brep, inner: Wall, outer: Wall) -> bool:
@@ -97,32 +130,35 @@ def _runs_on(brep: Brep, wall: Wall) -> bool:
 
 
 def bent_arc_part(brep: Brep, found: BentArc, number: int) -> Part:
-    """A bend of sheet, or a sector of a ring; its thickness is radial, its length along the bend line or the arc."""
-    inner, outer = found.inner, found.outer
+    """A bend of sheet, or a sector of a ring; its thickness is radial, its length along the bend line or the arc.
+
+    The bend radius is that of the inside; the radius of a bend that is sharp there is that of its outside.
+    """
+    outer, walls = found.outer, [wall for wall in (found.inner, found.outer) if wall is not None]
     kind = "bend" if found.is_bend else "ring_sector"
-    faces = tuple(sorted({*inner.faces, *outer.faces}))
+    faces = tuple(sorted({face for wall in walls for face in wall.faces}))
     box = faces_box(brep, faces)
     half = HALF_RAD[0] <= outer.sweep <= HALF_RAD[1]
-    middle = (inner.radius + outer.radius) / 2
-    length = max(inner.height, outer.height) if found.is_bend else middle * outer.sweep
+    middle = (found.inner_radius + outer.radius) / 2
+    length = max(wall.height for wall in walls) if found.is_bend else middle * outer.sweep
     tags = ("sheet", "bent") if found.is_bend else ("bent", "arc", *(("semicircular",) if half else ()))
     name = "sheet bend" if found.is_bend else "half ring" if half else "sector of a ring"
-    radius = inner.radius if found.is_bend else middle
+    radius = found.inner_radius if found.is_bend else middle
     return Part(
         id=f"sheet-bend-{number}" if found.is_bend else f"ring-sector-{number}",
         kind=kind,
         tags=tags,
-        label=f"{name}, radii {millimetres(outer.radius)} and {millimetres(inner.radius)}, "
+        label=f"{name}, radii {millimetres(outer.radius)} and {millimetres(found.inner_radius)}, "
         f"{math.degrees(outer.sweep):.4g} degrees",
         faces=faces,
         center=box_center(box),
         extents=box_extents(box),
         axis=outer.axis.direction,
-        radius=radius,
+        radius=radius or outer.radius,
         diameter=None if found.is_bend else 2 * outer.radius,
-        radii=(outer.radius, inner.radius),
+        radii=tuple(wall.radius for wall in reversed(walls)),
         outer_diameter=2 * outer.radius,
-        inner_diameter=2 * inner.radius,
+        inner_diameter=2 * found.inner_radius or None,
         thickness=found.thickness,
         width=found.thickness,
         height=outer.height,
@@ -131,5 +167,9 @@ def bent_arc_part(brep: Brep, found: BentArc, number: int) -> Part:
         bend_radius=radius,
         bend_angle=outer.sweep,
         area=faces_area(brep, faces),
-        evidence=geometry("a hollow arc and a bulging one behind it, on one axis, with the material between them"),
+        evidence=geometry(
+            "a bulging arc around the sharp corner behind it, as far from both of its planes as the sheet is thick"
+            if found.inner is None
+            else "a hollow arc and a bulging one behind it, on one axis, with the material between them"
+        ),
     )

@@ -22,6 +22,8 @@ SLENDER = 2.0
 """A tube is longer than this many of its diameters."""
 ON_AXIS = 0.02
 """Two axes are one that are nearer to each other than this share of the radius."""
+RUNS = 0.9
+"""The bore of a hub runs through this share of its length at least: the rest is recessed around it."""
 
 
 def wheel_parts(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> list[Part]:
@@ -141,6 +143,8 @@ def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator
             continue
         high = max(level for level, end in zip(levels, own, strict=True) if dot(end.normal, first.normal) > 0)
         low = min(level for level, end in zip(levels, own, strict=True) if dot(end.normal, first.normal) < 0)
+        if bore.depth < RUNS * (high - low):
+            continue  # the bore of one wall of a hollow body, with another boss on the wall across
         faces = tuple(sorted({face for end in own for face in end.faces}))
         is_tube = bore.radius > TUBE_RATIO * first.radius and high - low > SLENDER * 2 * first.radius
         name = "tube" if is_tube else "hub"
