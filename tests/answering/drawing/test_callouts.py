@@ -47,7 +47,12 @@ CALLED = [
     (part("boss-1", label="ring, x", diameter=0.052, outer_diameter=0.052, inner_diameter=0.03, height=0.008),
      "ring Ø52/Ø30, height 8"),
     (part("rib-1", label="fin, x", thickness=0.004, length=0.176, height=0.012), "fin 4 thick, length 176, height 12"),
+    (part("slot-1", label="dovetail slot, x", mouth_width=0.018, bottom_width=0.027, length=0.115, depth=0.008,
+          local_size=(0.115, 0.027, 0.008), bottom="open"), "dovetail slot 18/27 x 115 depth 8"),
     (part("bend-1", bend_radius=0.0025, bend_angle=math.pi / 2), "bend R2.5, 90°"),
+    (part("bend-1", bend_radius=0.0, bend_angle=math.pi / 2), "bend R0, 90°"),
+    (part("pipe-1", label="bent pipe, x", radii=(0.01, 0.008), length=0.3), "bent pipe Ø20/Ø16, length 300"),
+    (part("pipe-1", label="bent bar, x", radii=(0.01,), length=0.3), "bent bar Ø20, length 300"),
     (part("groove-1", label="groove, x", diameter=0.019, width=0.0013, depth=0.0005),
      "groove Ø19, 1.3 wide, depth 0.5"),
     (part("gear-1", count=24, diameter=0.078, width=0.026), "gear 24 teeth, tip Ø78, width 26"),
@@ -151,3 +156,10 @@ def test_every_kind_of_part_has_a_callout_without_measures() -> None:
 @pytest.mark.parametrize("unit", list(LengthUnit))
 def test_every_unit_of_lengths_can_be_written(unit: LengthUnit) -> None:
     assert float(length(0.0127, unit)) == pytest.approx(0.0127 / unit.metres, abs=1e-3)
+
+
+def test_holes_that_noise_parts_by_the_last_decimal_are_one_group() -> None:
+    depths = (0.007937499999999958, 0.007937500000000042)
+    holes = [hole(n, diameter=0.00635, **{**BLIND, "depth": depth}) for n, depth in enumerate(depths)]
+    assert [one.text for one in callouts(holes)] == ["2x Ø6.35 depth 7.938"]
+    assert length(0.0079374, LengthUnit.MM) == "7.937"

@@ -131,9 +131,14 @@ def _fillet(part: Part, unit: LengthUnit, _known: Known) -> str:
 
 
 def _opening(part: Part, unit: LengthUnit, _known: Known) -> str:
-    """A slot, pocket, cutout, channel, step or notch: 'slot 12 x 40 THRU', width before length."""
+    """A slot, pocket, cutout, channel, step or notch: 'slot 12 x 40 THRU', width before length.
+
+    The width of a dovetail or T slot is that of its mouth and that of its bottom: 'dovetail slot 18/27.2 x 115'.
+    """
     if part.across_flats is not None and "rectangular" not in part.tags:
         size = f"{length(part.across_flats, unit)} across flats,"
+    elif part.mouth_width and part.bottom_width and part.length and "through" not in part.tags:
+        size = f"{length(part.mouth_width, unit)}/{length(part.bottom_width, unit)} x {length(part.length, unit)}"
     elif (sides := _sides(part)) is not None:
         size = sizes(sides, unit)
     elif part.diameter:
@@ -144,6 +149,14 @@ def _opening(part: Part, unit: LengthUnit, _known: Known) -> str:
     if "keyway" in part.tags:
         kind = "keyway"
     return _joined(kind, size, _reach(part, unit)).removesuffix(",")
+
+
+def _bent(part: Part, unit: LengthUnit, known: Known) -> str:
+    """A bent pipe, bar or bore: 'bent pipe Ø20/Ø16, length 300'."""
+    if part.length is None or not part.radii:
+        return _by_measures(part, unit, known)
+    across = "/".join(f"Ø{length(2 * radius, unit)}" for radius in part.radii)
+    return f"{_noun(part)} {across}, length {length(part.length, unit)}"
 
 
 def _sides(part: Part) -> tuple[float, float] | None:
@@ -293,6 +306,7 @@ _WRITERS: dict[PartKind, Callable[[Part, LengthUnit, Known], str]] = {
     PartKind.WALL: _plate,
     PartKind.FLOOR: _plate,
     PartKind.BEND: _bend,
+    PartKind.PIPE: _bent,
     PartKind.GEAR: _gear,
     PartKind.PATTERN: _pattern,
     PartKind.BODY: _body,

@@ -11,6 +11,8 @@ SIGNIFICANT_DIGITS = 6
 """Digits shown to people: 0.1 mm in a model of a hundred metres. The value itself is not rounded."""
 _DECIMALS = {LengthUnit.MM: 3, LengthUnit.CM: 4, LengthUnit.IN: 4, LengthUnit.M: 6}
 """A micrometre, or a ten-thousandth of an inch: finer than parts are made, and than files are exact."""
+OVER_NOISE = 1.0 + 1e-9
+"""What inches leave is often half a micrometre, 7.9375 mm: the kernel's noise of some 1e-12 would part equal sizes."""
 ALIGNED = 1.0 - 1e-6
 """A direction is along an axis of the file where its component there is at least this."""
 
@@ -23,8 +25,8 @@ def number(value: float, decimals: int = 3) -> str:
 
 
 def length(metres: float, unit: LengthUnit) -> str:
-    """The length in that unit, which is not named."""
-    return number(metres / unit.metres, _DECIMALS[unit])
+    """The length in that unit, which is not named; a half of the last decimal is rounded up, also over noise."""
+    return number(metres * OVER_NOISE / unit.metres, _DECIMALS[unit])
 
 
 def sizes(metres: Iterable[float], unit: LengthUnit) -> str:

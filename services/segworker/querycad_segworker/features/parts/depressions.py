@@ -25,6 +25,8 @@ from .volumes import Volumes
 
 ALONG = frozenset(("rectangular", "obround", "curved"))
 """Outlines with two sides along each other: what is longer than wide within them is a slot, as no other shape is."""
+SECTIONS = {"dovetail": "dovetail", "t_slot": "T", "v_shaped": "V"}
+"""What slots are called by their cross-section."""
 _DEPRESSION_NAMES = {DepressionKind.PASSAGE: "cutout"}
 
 
@@ -59,7 +61,7 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
         id=f"{kind}-{number}",
         kind=kind,
         tags=tuple(tags),
-        label=f"{outlined(found.outline, kind)}, {millimetres(found.length, found.width)}, "
+        label=f"{_name(found, kind)}, {millimetres(found.length, found.width)}, "
         + (f"through {millimetres(found.depth)}" if from_edge else f"depth {millimetres(found.depth)}"),
         faces=found.faces,
         center=found.center,
@@ -84,6 +86,12 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
             + ("closed all around" if not found.is_open else "meeting in concave edges and open at a border")
         ),
     )
+
+
+def _name(found: Depression, kind: str) -> str:
+    """What is it called? By its cross-section where that has a name, else by its outline."""
+    section = next((name for tag, name in SECTIONS.items() if tag in found.tags), None)
+    return outlined(found.outline, kind) if section is None else f"{section} {kind}"
 
 
 def _bottom(found: Depression, through: bool) -> Bottom | None:
