@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import pytest
 from tests.made import body, hole, part, whole
 
-from querycad_answering.drawing.describing import describe
+from querycad_answering.drawing.describing import describe, is_bare_surface
 from querycad_contracts import Answer, AnswerType, Description, LengthUnit, ModelSummary, Part, Shape, Unit
 
 
@@ -92,3 +92,10 @@ def test_a_model_without_a_name_is_said_to_have_none() -> None:
     shape = Shape(name="", center=(0, 0, 0), extents=(0.1, 0.06, 0.01), volume=6e-5, area=1e-2, bodies=(), face_count=9)
     summary = ModelSummary(shape=shape, body_count=1, part_counts={}, units=(), warnings=(), timings_ms={})
     assert describe(summary, (), LengthUnit.MM, answers).text.startswith("a model without a name: one body, 9 faces")
+
+
+def test_a_ball_is_a_feature_and_a_spherical_hollow_is_a_bare_surface() -> None:
+    ball = part("sphere-1", label="outer sphere, x", tags=("outer", "spherical"), diameter=0.03)
+    hollow = part("sphere-2", label="inner sphere, x", tags=("inner", "spherical"), diameter=0.02)
+    assert [one.text for one in described([*PARTS, ball, hollow]).features][-1] == "outer sphere Ø30"
+    assert [is_bare_surface(one) for one in (ball, hollow)] == [False, True]

@@ -32,9 +32,18 @@ Ask = Callable[[str], Answer | None]
 """The answer to a question on the model; None where there is none, or it is unsure."""
 
 
+def is_bare_surface(part: Part) -> bool:
+    """Is it a surface by its shape alone, part of some feature? Not so a ball or dome, which is one itself."""
+    return part.kind in SURFACES and not _is_ball(part)
+
+
+def _is_ball(part: Part) -> bool:
+    return part.kind is PartKind.SPHERE and "outer" in part.tags
+
+
 def featured(parts: Sequence[Part]) -> list[Part]:
-    """The features that a drawing would call out: no surfaces, walls or wholes."""
-    return [part for part in parts if part.kind not in _IN_FEATURES]
+    """The features that a drawing would call out: no bare surfaces, walls or wholes."""
+    return [part for part in parts if part.kind not in _IN_FEATURES or _is_ball(part)]
 
 
 def describe(

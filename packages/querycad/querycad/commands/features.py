@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 from querycad_answering.drawing.callouts import callout, callouts, carried_sections
-from querycad_answering.drawing.describing import SURFACES, listing
+from querycad_answering.drawing.describing import is_bare_surface, listing
 from querycad_answering.drawing.numbers import unit_name
 from querycad_contracts import LengthUnit, Part, PartKind
 from querycad_language.describe import plural_of
@@ -75,9 +75,10 @@ def _grouped(wanted: Sequence[Part], parts: Sequence[Part], options: argparse.Na
         told, surfaces = list(wanted), Counter[str]()
     else:
         carried = carried_sections(parts)
-        left_out = (*SURFACES, PartKind.MODEL)
-        told = [part for part in wanted if part.kind not in left_out and part.id not in carried]
-        surfaces = Counter(part.kind.value for part in wanted if part.kind in SURFACES)
+        bare = [part for part in wanted if is_bare_surface(part)]
+        left_out = {*carried, *(part.id for part in bare)}
+        told = [part for part in wanted if part.kind is not PartKind.MODEL and part.id not in left_out]
+        surfaces = Counter(part.kind.value for part in bare)
     yield f"lengths in {unit_name(unit)}"
     yield from listing(callouts(told, unit, known, symbols=options.symbols))
     if surfaces:
