@@ -24,7 +24,8 @@ BROKEN_EDGE_RAD = (math.radians(60.0), math.radians(120.0))
 CHAMFER_NEIGHBOURS = 1.5
 """Both faces that a chamfer joins reach further than its width by this factor; the sides of a polygon do not."""
 CORNER_SHARE = 0.5
-"""What takes more than two thirds of a face away, along its edge, shapes the body rather than breaking its edge."""
+"""What takes more than two thirds of a face away, along its edge, shapes the body rather than breaking its edge. At 45
+degrees a strip takes its leg away; one that leans more to one side is counted by its width."""
 MAX_SECTION = 0.26
 """A right-angled triangle has at most a quarter of its hypotenuse's square as area."""
 SAME_TURN_RAD = math.radians(3.0)
@@ -205,8 +206,9 @@ def _shapes_body(
         return "it ends at a wall that belongs to the cut: a step"
     if min(a.reach, b.reach) >= CHAMFER_NEIGHBOURS * width:
         return None
-    legs = [(one, width * math.cos(one.turn)) for one in sides]
-    whole_corner = all(length >= leg <= one.reach / CORNER_SHARE for one, leg in legs)
+    even = abs(a.turn - b.turn) < SAME_TURN_RAD  # at 45 degrees, where drawings give the leg: C15
+    takes = width * math.cos(a.turn) if even else width
+    whole_corner = length >= takes and min(a.reach, b.reach) >= CORNER_SHARE * takes
     if whole_corner and not _carries(brep, face) and not _is_polygon(brep, face, first, second, width):
         return None
     return "it takes so much of the faces beside it that it shapes the body"
