@@ -39,7 +39,14 @@ from .holes.hole import Hole
 from .holes.recognise import recognise_holes
 from .parts.bent_arcs import bent_arc_part, recognise_bent_arcs
 from .parts.depressions import blend_part, depression_part, turned_groove_part
-from .parts.flat_walls import besides_fins, flat_wall_part, recognise_flat_walls, sides_of_boxes, with_fins
+from .parts.flat_walls import (
+    besides_fins,
+    flat_wall_part,
+    is_in_wall,
+    recognise_flat_walls,
+    sides_of_boxes,
+    with_fins,
+)
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
 from .parts.joined_holes import with_joined_counterbores
 from .parts.material_left import with_material_left
@@ -186,7 +193,6 @@ def _parts(
         recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances),
         [frozenset(ribs[n - 1].flanks) for n in fin_numbers],
     )
-    gussets = {face for wall in flat_walls if "gusset" in wall.tags for face in wall.faces}
     standing = [boss for boss in beside_pipes(brep, bosses, pipes) if not _is_island(boss, holes, tolerances)]
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
@@ -203,7 +209,7 @@ def _parts(
         *_numbered(brep, beside_sections(prisms, sections), prism_part),
         *_numbered(brep, standing_out.arms, arm_part),
         *_numbered(brep, sections, hollow_section_part),
-        *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if gussets.isdisjoint(r.flanks)),
+        *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if not is_in_wall(r, flat_walls)),
         *_numbered(brep, recognise_bent_arcs(brep, found_walls, tolerances), bent_arc_part),
         *_numbered(brep, [wall for wall in flat_walls if "fin" not in wall.tags], flat_wall_part),
         *_numbered(brep, blends, blend_part),

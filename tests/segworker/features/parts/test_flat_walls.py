@@ -183,3 +183,11 @@ def test_the_flange_at_the_end_of_a_tine_makes_that_no_thicker() -> None:
     flanged = fuse(fork, box((10, 30, 35), (110, -30, 0)), box((10, 30, 35), (110, 90, 0)))
     for shape in (fork, flanged):
         assert max(wall.thickness or 0.0 for wall in find(shape).of("wall")) < 30 * MM
+
+
+def test_the_edge_of_a_leg_is_no_rib_of_its_own() -> None:
+    leg = box((38, 10, 60), (40, 0, -60))
+    yoke = fuse(box((120, 60, 10)), leg, shifted(leg, (0, 50, 0)))
+    eyes = fuse(yoke, *(cylinder(19, 16, (59, y, -60), Y) for y in (-3, 47)))
+    assert not find(eyes).of("rib")
+    assert len(find(fuse(box((120, 60, 10)), box((60, 6, 15), (30, 27, 10)))).of("rib")) == 1

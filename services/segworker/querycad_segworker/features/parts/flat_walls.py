@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import Part, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
+from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.adjacency import breaks_edge, is_blend
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of_edges
 from querycad_segworker.features.shared.part_measures import (
@@ -49,6 +50,9 @@ STANDS_IN = frozenset(("between", "gusset"))
 """What parts two openings, or stiffens a corner, is no leg."""
 HALF_TURN_RAD = math.radians(150.0)
 """The end of an ear is round by so much at least."""
+EDGE = 0.2
+"""What is smaller than this share of the wall that has its sides is an edge of that wall, and no rib: a rib fills most
+of the wall between its flanks."""
 UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 """Slots that no fork has."""
 TINE = 2.0
@@ -282,6 +286,19 @@ def with_fins(walls: Sequence[FlatWall], flanks: Sequence[frozenset[int]]) -> li
         replace(wall, tags=(*wall.tags, "fin")) if any(map(frozenset(wall.faces).issuperset, flanks)) else wall
         for wall in walls
     ]
+
+
+def is_in_wall(rib: Rib, walls: Sequence[FlatWall]) -> bool:
+    """Is it no rib by itself: a gusset, or an edge of a much larger wall between the same two sides?"""
+    flanks = set(rib.flanks)
+    return any(
+        not flanks.isdisjoint(wall.faces)
+        if "gusset" in wall.tags
+        else len(flanks) > 1
+        and flanks.issubset(wall.faces)
+        and rib.length * rib.height < EDGE * wall.length * wall.width
+        for wall in walls
+    )
 
 
 def besides_fins(bodies: Mapping[int, float], walls: Sequence[FlatWall]) -> dict[int, float]:
