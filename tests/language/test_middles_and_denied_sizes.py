@@ -58,3 +58,12 @@ def test_the_spacing_of_parts_of_another_is_no_distance_between_the_two(question
 @pytest.mark.parametrize(("question", "alone"), [("What are the stud heights?", False), ("And the stud?", True)])
 def test_where_every_word_is_read_no_reading_takes_the_part_alone(question: str, alone: bool) -> None:
     assert any("named_only" in one.features for one in read(question)) is alone
+
+
+@pytest.mark.parametrize(
+    ("question", "bodies"),
+    [("Is this an assembly?", True), ("Is it one body?", True), ("Are studs used anywhere in this assembly?", False)],
+)
+def test_whether_it_is_one_body_or_several_is_their_number(question: str, bodies: bool) -> None:
+    checked = [one.form.left for one in read(question) if isinstance(one.form, Check)]
+    assert any(isinstance(left, Count) and left.target.noun == "body" for left in checked) is bodies

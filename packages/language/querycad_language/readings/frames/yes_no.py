@@ -173,7 +173,8 @@ def _of_kind(question: Question, start: int) -> Iterator[Parse]:
         target = (before or first).query or PartQuery(noun="object", words=("object",))
         one = second.query is not None and second.query.noun in ("body", "object", "part")
         one = one and text.is_word(second.head - 1, "one", "single")
-        if text.is_word(second.head, "assembly") or (one and not (before or first).query):
+        several = text.is_word(second.head, "assembly") and text.is_word(second.start, "a", "an")
+        if target.noun == "object" and (several or one):
             number = Check(Count(_BODIES), Relation.EQUAL if one else Relation.MORE, 1.0)
             yield Parse(number, {"predicate": 1.0}, first.used | second.used)  # 'is this one body?'
         elif first.end == second.head and target.noun == "object" and (trait := text.find(second.head, "adjective")):
