@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -60,11 +61,11 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     """The reading with what it skips, by class. `words` are the passable ones."""
     features = {**parse.features, **question.hardness}
     skipped = [word for word in words if word.at not in parse.used]
-    for word in skipped:
-        features[word.feature] = features.get(word.feature, 0.0) + 1.0
+    for feature, count in Counter([word.feature for word in skipped]).items():
+        features[feature] = features.get(feature, 0.0) + count
     if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
         features["value_for_yes_no"] = 1.0
-    return Reading(parse.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(parse.used))
+    return Reading(parse.form, features, tuple([(word.kind, word.raw) for word in skipped]), frozenset(parse.used))
 
 
 def _class(text: Text, at: int) -> str:
