@@ -73,10 +73,10 @@ def test_the_least_of_several_spacings_is_told_as_such_and_is_not_sure(
 
     def spaced(name: str, third: float) -> tuple[float | None, str]:
         holes = [cylinder(3, 10, (x, 10, 0)) for x in (10, 30, third)]
-        reply = runtime.open(write_step(folder / f"{name}.step", cut(box((80, 20, 10)), *holes))).ask(
-            "What is the spacing of the holes?"
-        )
+        model = runtime.open(write_step(folder / f"{name}.step", cut(box((80, 20, 10)), *holes)))
+        reply = model.ask("What is the spacing of the holes?")
         assert reply.answer is not None
+        assert "equally far" not in " ".join(model.ask("What is the spacing of the holes along x?").warnings)
         assert reply.answer.value == pytest.approx(0.02)
         return reply.confidence, " ".join(reply.warnings)
 

@@ -21,7 +21,9 @@ _SAME = 1e-6
 _ROUNDED = 1e-5
 """Metres within which two distances between centres, or two diameters, are one."""
 _MOST = 200
+"""Parts whose next one is looked for."""
 _TOLD = 4
+"""Distances that a note names."""
 _FROM = 1.0 - 1e-6
 _AXES = "xyz"
 
@@ -60,12 +62,12 @@ def uneven(candidate: Candidate) -> list[float]:
     Ascending, in metres, a few; none where all are equally far apart.
     """
     form = candidate.reading.form
-    one = isinstance(form, Distance) and form.second == "each other" and form.reduce is Reduce.ONE
+    one = isinstance(form, Distance) and (form.second, form.axis, form.reduce) == ("each other", None, Reduce.ONE)
     if not one or not any(read.expression == "center" for read in candidate.written.reads):
         return []
-    parts = [part for grounded in candidate.grounds.values() for part in grounded.parts][:_MOST]
+    parts = [part for grounded in candidate.grounds.values() for part in grounded.parts]
     found: list[float] = []
-    for part in parts:
+    for part in parts[:_MOST]:
         others = [p for p in parts if p is not part and abs((p.diameter or 0) - (part.diameter or 0)) < _ROUNDED]
         near = min((dist(part.center, other.center) for other in others), default=None)
         if near is not None and all(abs(near - known) > _ROUNDED for known in found):

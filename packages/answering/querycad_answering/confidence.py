@@ -54,17 +54,12 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
     "odd": ("named_only", "value_is_extent", "value_too_large", "material_under", "material_between"),
 }  # fmt: skip
 """What may speak against an answer, whatever else there is: the groups of features that calibration looks at."""
-
-
 SAY_NOTHING = ("chatter", "function", "courtesy")
 """Classes of words that may be skipped without a word about it."""
-
 RESTRICTING = frozenset(("noun", "measure", "comparison", "side", "number", "negation", "unknown"))
 """Classes of words without which a yes or no is as often wrong as right: of 137 so answered 70 were right."""
-
 PASSED_OVER = 0.35
 """So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
-
 NONE_COUNTED = 0.7
 """So sure, at most, is that there are none: people count what there is. Of 44 surer answers to collected questions 30
 were right."""
@@ -73,15 +68,15 @@ NOT_SURE = 0.75
 """So sure, at most, is a value of a reading that passes over a number, negation, comparison or side, or that could not
 check a word that restricts. Of 136 surer ones by unread writers 16 were wrong, of 680 others 23. So sure is the number
 of parts that are not what the noun itself means, of cutouts as holes, and the least of several spacings."""
-
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
-decides or lists and passes over a word, or gives the smallest extent of a body for the thickness of its material."""
+decides or lists and passes over a word, or gives the smallest extent of a body for the thickness of its material, or a
+slope that is no draft, where no cone is named."""
 BY_SIGHT_AT_MOST = 0.7
 """So sure at most is an answer that rests on sight alone: below what counts as sure, as nobody has measured yet how
 often sight is right."""
 AS_ONE = 0.7
-"""So sure, at most, is that one value: what else may be asked is passed over."""
+"""So sure, at most, is the one value of a question that may be several: what else may be asked is passed over."""
 
 
 def doubts(features: Features, score: float) -> Features:
@@ -118,7 +113,7 @@ def _limits(candidate: Candidate, text: Text) -> Iterator[float]:
     if text.at_phrases("stuff") and any(map(_is_bulk, candidate.written.reads)):
         yield OTHER_CLASS
     if features.get("value_steep") and not any(query.words for query in candidate.grounds):
-        yield OTHER_CLASS  # where no cone is named, the draft is none of a countersink or drill tip
+        yield OTHER_CLASS  # of a countersink or drill tip
     restricting = RESTRICTING.intersection(kind for kind, _ in candidate.reading.skipped)
     if isinstance(form, CLOSED | Towards) and (restricting or unchecked(candidate) or _at_several(candidate)):
         yield OTHER_CLASS
