@@ -34,6 +34,26 @@ class Tolerances:
         return cls(length=1e-5 * diagonal_m, canonical=1e-5 * diagonal_m)
 
 
+TIE = 1e-4
+"""Designs meet limits such as half or twice exactly, and files round: a size this near to a limit is at it. Below what
+drawings tell (0.01 mm of 100 mm), above the digits that files lose in a shift or from inches."""
+
+
+def exceeds(size: float, limit: float) -> bool:
+    """Is a size more than a limit, both positive? What is at it is not."""
+    return size > limit * (1 + TIE)
+
+
+def reaches(size: float, limit: float) -> bool:
+    """Is a size a limit or more, both positive? What is at it is."""
+    return size >= limit * (1 - TIE)
+
+
+def significant(size: float) -> float:
+    """A size to four digits, to sort by: what is drawn alike is alike, and the next rule decides."""
+    return float(f"{size:.4g}")
+
+
 @dataclass(frozen=True, slots=True)
 class Facing:
     """Which directions go the same way? Cosines of the angle between two unit vectors, above which they do."""

@@ -176,7 +176,7 @@ def _fit_torus(adaptor: BRepAdaptor_Surface, tolerance_mm: float) -> Surface | N
         along = dot(sub(tube.center, around.center), around.axis)
         center = add(around.center, scale(around.axis, along))
         surface = Surface(SurfaceKind.TORUS, center, around.axis, dist(tube.center, center), tube.radius)
-        if tube.radius < 1e3 * norm(sub(rows[0][0], rows[-1][-1])) and all(
+        if tube.radius < 1e3 * max(dist(rows[0][0], p) for row in grid for p in row) and all(
             abs(_torus_distance(surface, p)) <= tolerance_mm for row in grid for p in row
         ):
             return surface

@@ -14,7 +14,7 @@ from querycad_segworker.features.sheet.body_thickness import is_flat, largest_pl
 from querycad_segworker.features.turned.gears import Gear
 from querycad_segworker.features.turned.pipes import Pipe, bent_measures
 from querycad_segworker.features.turned.round_bodies import COAXIAL, ROUND, TurnedBody
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, exceeds
 from querycad_segworker.topology import BodyRecord, Brep, together
 from querycad_segworker.vectors import box_center, box_extents
 
@@ -100,7 +100,7 @@ def body_part(
         tags = (*tags, "ball", "spherical")
         measures |= {"radius": ball, "diameter": 2 * ball, "radii": (ball,)}
     if turned is not None:
-        mostly_hole = turned.bore is not None and turned.bore.radius > HALF * turned.outer_radius
+        mostly_hole = turned.bore is not None and exceeds(turned.bore.radius, HALF * turned.outer_radius)
         tags = (*(tag for tag in tags if not (mostly_hole and tag == "plate")), *turned.tags)
         measures |= _turned_measures(turned, tips)
     return Part(

@@ -11,7 +11,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, spread
 from querycad_segworker.vectors import Box, box_center, cross, dot, line_distance, parallel, sub
 
@@ -179,7 +179,7 @@ def _chamfer(brep: Brep, face: FaceRecord) -> _Strip | None:
         return None
     reason = _shapes_body(brep, face, (first, second), (a, b), width, length)
     if reason is None:
-        is_corner = face.kind is SurfaceKind.PLANE and min(a.reach, b.reach) < CHAMFER_NEIGHBOURS * width
+        is_corner = face.kind is SurfaceKind.PLANE and not reaches(min(a.reach, b.reach), CHAMFER_NEIGHBOURS * width)
         return _Strip(width, {a.face.id, b.face.id}, is_corner)
     refuse("chamfer", (face.id,), reason)
     return None
@@ -196,7 +196,7 @@ def _shapes_body(
     """Why does a slanted strip between two faces shape the body rather than break its edge? None where it breaks it."""
     (first, second), (a, b) = edges, sides
     if face.kind is SurfaceKind.CONE:
-        slim = min(a.face.area, b.face.area) >= CHAMFER_NEIGHBOURS * face.area
+        slim = reaches(min(a.face.area, b.face.area), CHAMFER_NEIGHBOURS * face.area)
         narrow = face.radius <= CHAMFER_CONE * face.minor_radius
         return None if slim and narrow else "a cone as large as what is beside it shapes the body"
     low, high = BROKEN_EDGE_RAD
@@ -204,11 +204,11 @@ def _shapes_body(
         return "the two faces beside it would not meet at about a right angle"
     if _has_end_wall(brep, face, width):
         return "it ends at a wall that belongs to the cut: a step"
-    if min(a.reach, b.reach) >= CHAMFER_NEIGHBOURS * width:
+    if reaches(min(a.reach, b.reach), CHAMFER_NEIGHBOURS * width):
         return None
     even = abs(a.turn - b.turn) < SAME_TURN_RAD  # at 45 degrees, where drawings give the leg: C15
     takes = width * math.cos(a.turn) if even else width
-    whole_corner = length >= takes and min(a.reach, b.reach) >= CORNER_SHARE * takes
+    whole_corner = reaches(length, takes) and reaches(min(a.reach, b.reach), CORNER_SHARE * takes)
     if whole_corner and not _carries(brep, face) and not _is_polygon(brep, face, first, second, width):
         return None
     return "it takes so much of the faces beside it that it shapes the body"
@@ -271,6 +271,7 @@ def _is_polygon(
             and edge.convexity is EdgeConvexity.CONVEX
             and parallel(edge.direction, along, math.radians(2.0))
         ]
-        if side.reach >= CHAMFER_NEIGHBOURS * width or not any(abs(t - side.turn) < SAME_TURN_RAD for t in next_turns):
+        long = reaches(side.reach, CHAMFER_NEIGHBOURS * width)
+        if long or not any(abs(turn - side.turn) < SAME_TURN_RAD for turn in next_turns):
             return False
     return True

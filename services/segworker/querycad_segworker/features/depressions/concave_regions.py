@@ -16,7 +16,7 @@ from querycad_segworker.features.shared.extruded_walls import (
 )
 from querycad_segworker.features.shared.frames import frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.tolerances import FACING, Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit, upwards
 
@@ -303,10 +303,10 @@ def slot_between(
         tags=(undercuts.tag,) if undercuts else (),
         angle=undercuts.angle if undercuts else None,
     )
-    if width > CHANNEL_SHARE * graph.extent(floor.body, pair[0].axis):
+    if exceeds(width, CHANNEL_SHARE * graph.extent(floor.body, pair[0].axis)):
         return replace(found, kind=DepressionKind.CHANNEL)
     is_cut_through = undercuts is None and not ends and not round_ends
-    if is_cut_through and depth > length and depth >= ELONGATED * width:
+    if is_cut_through and exceeds(depth, length) and reaches(depth, ELONGATED * width):
         return _through_slot(brep, group, floor, along, width)
     if length < width and undercuts is None:
         return replace(found, kind=DepressionKind.NOTCH)
@@ -334,7 +334,7 @@ def _round_bottomed(brep: Brep, group: set[int], tunnel: Tunnel, planes: Sequenc
     normal = bottom.point_normal
     frame = frame_of(brep, group, normal, None, tunnel.axis)
     length, width, depth = frame.size
-    if depth > length and depth >= ELONGATED * width:  # as of slots with flat ends
+    if exceeds(depth, length) and reaches(depth, ELONGATED * width):  # as of slots with flat ends
         frame = frame_of(brep, group, upwards(tunnel.axis), None, normal)
         slot = depression_in(DepressionKind.SLOT, "obround", frame, group, (), bottom.body, is_open=True)
         return replace(slot, tags=("through",), corner_radius=bottom.radius)

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.adjacency import same_cylinder
+from querycad_segworker.tolerances import reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dist, dot, foot, line_distance, norm, parallel, sub
 
@@ -97,7 +98,7 @@ def _place(brep: Brep, found: Depression, axis: FaceRecord | None, in_ring: bool
 def _may_point(found: Depression) -> bool:
     """Has it a direction of its own: a slot, a channel, what is long?"""
     if found.kind in (DepressionKind.POCKET, DepressionKind.PASSAGE):
-        return found.length >= ELONGATED * found.width
+        return reaches(found.length, ELONGATED * found.width)
     return found.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL)
 
 

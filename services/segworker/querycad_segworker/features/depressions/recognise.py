@@ -168,6 +168,8 @@ def _closed(
     around = tunnel_of(brep, set(walls))
     if around is not None and around.outline != "free":
         outline = around.outline
+        rounds = (face.radius for face in brep.of_kind(SurfaceKind.CYLINDER, sorted(walls)) if face.outward < 0)
+        corner = min(rounds, default=None) if corner is None else corner  # of a rim on a shaft, no edge is an arc
     frame = frame_of(brep, group, normal, rim if outline != "free" else None)
     mouth = frame if inside == group or not inside | floors else frame_of(brep, inside | floors, normal, None, frame.u)
     kind = DepressionKind.POCKET if floors else DepressionKind.PASSAGE

@@ -7,8 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import Bottom, SurfaceKind, Vector
+from querycad_segworker.features.shared.adjacency import same_cylinder
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, roundings_beside, wall_range
 from querycad_segworker.features.shared.walls import Axis, Wall, is_waist
+from querycad_segworker.tolerances import reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import dot, parallel, points_up, scale, span, sub
 
@@ -18,6 +20,9 @@ CORE_RATIO = 0.5
 WALL_SHARE = 0.5
 """A bore that takes more than this share of its body is the inside of a tube, and a hole into it goes through a wall;
 a hole into a narrower one ends in it, as the ports of a manifold end in its gallery."""
+
+ACROSS_RAD = math.radians(10.0)
+"""A hole opens in, or ends in, a cylinder whose axis leaves its own by more than this."""
 
 OBLIQUE_ANGLE = math.radians(3.0)
 """A hole this far from square on the face it opens in is oblique: more than drafts and position tolerances make."""
@@ -66,6 +71,37 @@ def oblique_mouth(brep: Brep, stack: Stack, high: bool) -> float | None:
     return dot(sub(face.point, stack.axis.origin), face.axis) / slope
 
 
+def round_mouth(brep: Brep, stack: Stack, high: bool) -> float | None:
+    """Where does the axis pierce the cylinder that the hole opens in, across that one's axis? Of a pin's cross hole.
+
+    Its rim is a saddle, of which different points are given in different files.
+    """
+    faces = [brep.faces[f] for f in stack.beyond(high)]
+    first = next(iter(faces), None)
+    if first is None or any(
+        face.kind is not SurfaceKind.CYLINDER or (face.id != first.id and not same_cylinder(face, first))
+        for face in faces
+    ):
+        return None
+    if parallel(first.axis, stack.axis.direction, ACROSS_RAD):
+        return None
+    end = stack.high if high else stack.low
+    near = min(_through(stack.axis, Axis.of(first), first.radius), key=lambda at: abs(at - end), default=None)
+    return near if near is not None and abs(near - end) <= stack.last_wall(high).radius_high else None
+
+
+def _through(line: Axis, around: Axis, radius: float) -> list[float]:
+    """Where along a line, first to last, does it go through a cylinder? Nowhere, or twice."""
+    along, out = around.direction, line.direction
+    across = sub(out, scale(along, dot(out, along)))
+    start = sub(line.origin, around.origin)
+    start = sub(start, scale(along, dot(start, along)))
+    # |start + t across| = radius
+    a, b, c = dot(across, across), dot(start, across), dot(start, start) - radius**2
+    root = b * b - a * c
+    return [] if root < 0 or a <= 0 else [(-b - math.sqrt(root)) / a, (-b + math.sqrt(root)) / a]
+
+
 class Bores:
     """The enclosing concave walls of a model: what a hole may run into."""
 
@@ -82,7 +118,7 @@ class Bores:
         found = [self._wall_of.get(face) for face in beyond]
         return bool(found) and all(
             wall is not None
-            and not parallel(wall.axis.direction, stack.axis.direction, math.radians(10.0))
+            and not parallel(wall.axis.direction, stack.axis.direction, ACROSS_RAD)
             and not self._is_inside_of_tube(wall, stack.axis)
             for wall in found
         )
@@ -93,17 +129,8 @@ class Bores:
         wall = next((self._wall_of[face] for face in beyond if face in self._wall_of), None)
         if wall is None or wall.kind is not SurfaceKind.CYLINDER:
             return None
-        along, out = wall.axis.direction, stack.axis.direction
-        across = sub(out, scale(along, dot(out, along)))
-        start = sub(stack.axis.origin, wall.axis.origin)
-        start = sub(start, scale(along, dot(start, along)))
-        # |start + t across| = radius
-        a, b, c = dot(across, across), dot(start, across), dot(start, start) - wall.radius**2
-        root = b * b - a * c
-        if root < 0 or a <= 0:
-            return None
-        # The bore's axis lies at -b / a: the stack comes from below it where it ends high, else from above.
-        return (-b - math.sqrt(root)) / a if high else (-b + math.sqrt(root)) / a
+        through = _through(stack.axis, wall.axis, wall.radius)
+        return (through[0] if high else through[-1]) if through else None  # on its own side of the bore's axis
 
     def _is_inside_of_tube(self, bore: Wall, axis: Axis) -> bool:
         return 2 * bore.radius > WALL_SHARE * self._extent(bore.body, axis.direction)
@@ -225,7 +252,7 @@ def core_of(
             if not parallel(face.axis, axis.direction, 1e-2) or axis.radius_of(face.origin) > 1e-2 * face.radius:
                 continue
             reach = [abs(axis.position(brep.edges[e].mid) - end) for e in brep.face_edges[other]]
-            if max(reach) >= CORE_RATIO * depth:
+            if reaches(max(reach), CORE_RATIO * depth):
                 walls[other] = face.radius
                 walls |= dict.fromkeys((f for f in feet if other in brep.beside(f, EdgeConvexity.SMOOTH)), face.radius)
     return (max(walls.values()), frozenset(walls)) if walls else None

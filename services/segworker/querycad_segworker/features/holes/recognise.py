@@ -12,7 +12,7 @@ from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall, is_waist
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, reaches
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import scale
 
@@ -31,6 +31,7 @@ from .ends import (
     mouth_rounding,
     oblique_mouth,
     opens_high,
+    round_mouth,
 )
 from .hole import RIM, Hole, SectionKind
 from .inline_bores import united_through_walls
@@ -90,7 +91,7 @@ def _widens(brep: Brep, wall: Wall) -> bool:
 def _is_recess(hole: Hole) -> bool:
     """Is it a shallow round pocket with a flat floor, and nothing else on its axis?"""
     alone = len(hole.sections) == 1 and hole.sections[0].kind is SectionKind.BORE and not hole.is_ring
-    return alone and hole.bottom is Bottom.FLAT and hole.depth < RECESS_RATIO * 2 * hole.radius
+    return alone and hole.bottom is Bottom.FLAT and not reaches(hole.depth, RECESS_RATIO * 2 * hole.radius)
 
 
 def _is_around_hub(stack: Stack, hubs: Sequence[Wall], tolerances: Tolerances) -> bool:
@@ -182,9 +183,11 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
 
 
 def _ends(brep: Brep, stack: Stack, high: bool, open_both: bool, inwards: Sequence[Wall]) -> tuple[float, float]:
-    """Where along the axis are opening and end? Of oblique mouths, where the axis pierces the face."""
+    """Where along the axis are opening and end? Of oblique and round mouths, where the axis pierces the face."""
     ends = [p for w in inwards for p in wall_range(stack.axis, w)]
     top, end = (stack.high, min(ends)) if high else (stack.low, max(ends))
-    mouth = oblique_mouth(brep, stack, high)
-    far = oblique_mouth(brep, stack, not high) if open_both else None
-    return top if mouth is None else mouth, end if far is None else far
+    mouth, far = (
+        next((at for at in (oblique_mouth(brep, stack, h), round_mouth(brep, stack, h)) if at is not None), None)
+        for h in (high, not high)
+    )
+    return top if mouth is None else mouth, end if far is None or not open_both else far

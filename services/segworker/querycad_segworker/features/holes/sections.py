@@ -9,7 +9,7 @@ from dataclasses import replace
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.coaxial_stacks import radius_at, wall_range
 from querycad_segworker.features.shared.walls import Axis, Wall
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, reaches
 from querycad_segworker.vectors import scale
 
 from .hole import Section, SectionKind
@@ -73,10 +73,10 @@ def sections_of(
             below = next(deeper, wall)
             if kind is SectionKind.COUNTERBORE and _is_spotface(wall, inside, outside):
                 kind = SectionKind.SPOTFACE
-            elif kind is SectionKind.COUNTERBORE and wall.radius < COUNTERBORE_RATIO * below.radius:
+            elif kind is SectionKind.COUNTERBORE and not reaches(wall.radius, COUNTERBORE_RATIO * below.radius):
                 kind = SectionKind.BORE
         elif wall.kind is SurfaceKind.CONE and cylinders and radius > end_radius > 0.05 * radius:
-            wide = radius >= CHAMFER_RATIO * end_radius
+            wide = reaches(radius, CHAMFER_RATIO * end_radius)
             kind = SectionKind.COUNTERSINK if wide else SectionKind.CHAMFER
             if radius - end_radius < TAPER * wall.height and wall.height > end_radius:
                 kind = SectionKind.BORE
@@ -118,14 +118,14 @@ def _is_groove(between: Sequence[Wall], beside: Wall, axis: Axis) -> bool:
     """Is it wider than the walls beside it, by little, and no longer than it is wide: for a ring or a seal?"""
     ends = [end for wall in between for end in wall_range(axis, wall)]
     wide = max(wall.radius for wall in between)
-    wider = all(wall.radius > beside.radius for wall in between) and wide < GROOVE_RATIO * beside.radius
-    return wider and max(ends) - min(ends) < beside.radius
+    wider = all(wall.radius > beside.radius for wall in between) and not reaches(wide, GROOVE_RATIO * beside.radius)
+    return wider and not reaches(max(ends) - min(ends), beside.radius)
 
 
 def _is_spotface(wall: Wall, inside: Wall, outside: Sequence[Wall]) -> bool:
     """The shallow wide first step that only faces the surface around the bore."""
     first = all(w.kind is not SurfaceKind.CYLINDER for w in outside)
-    return first and inside.radius < wall.radius and wall.height < SPOTFACE_RATIO * 2 * wall.radius
+    return first and inside.radius < wall.radius and not reaches(wall.height, SPOTFACE_RATIO * 2 * wall.radius)
 
 
 def is_fine(cylinders: Sequence[Wall], axis: Axis) -> bool:

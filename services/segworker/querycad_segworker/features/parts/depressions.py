@@ -18,6 +18,7 @@ from querycad_segworker.features.shared.part_measures import (
     outlined,
 )
 from querycad_segworker.features.turned.grooves import TurnedGroove
+from querycad_segworker.tolerances import reaches
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import box_extents
 
@@ -43,7 +44,7 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
     from_edge = "through" in found.tags
     through = from_edge or found.kind is DepressionKind.PASSAGE
     tags = [found.outline, "through" if through else "blind", "open" if found.is_open else "closed"]
-    if found.length >= ELONGATED * found.width and (found.is_open or found.outline in ALONG):
+    if reaches(found.length, ELONGATED * found.width) and (found.is_open or found.outline in ALONG):
         tags.append("elongated")
     if found.corner_radius is not None and found.outline in POLYGONS.values():
         tags.append("rounded_corners")

@@ -21,8 +21,8 @@ from querycad_segworker.features.shared.part_measures import (
     millimetres,
     stance,
 )
-from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeKind, FaceRecord, linked
+from querycad_segworker.tolerances import Tolerances, exceeds, reaches, significant
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord, linked
 from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, scale, sub
 
 from .gussets import gusset_in
@@ -142,7 +142,7 @@ def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
     for cut in depressions:
         reach = cut.length if "through" in cut.tags else cut.depth
         slit = cut.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL) and not UNDERCUT.intersection(cut.tags)
-        if slit and cut.is_open and reach > cut.width:
+        if slit and cut.is_open and exceeds(reach, cut.width):
             across = cross(cut.normal, cut.direction)
             sides = (face for face in cut.faces if abs(dot(brep.faces[face].axis, across)) > APART)
             found.update(dict.fromkeys(sides, min(reach, TINE * cut.width)))
@@ -154,7 +154,7 @@ def _as_tine(brep: Brep, wall: FlatWall, slots: Mapping[int, float]) -> FlatWall
 
     `slots`: how thick that may be, metres, by the sides of the slots.
     """
-    beside = (face for face in wall.faces if slots.get(face, 0.0) > wall.thickness)
+    beside = (face for face in wall.faces if face in slots and not exceeds(wall.thickness, slots[face]))
     flank = any(abs(dot(brep.faces[face].axis, wall.normal)) > APART for face in beside)
     return replace(wall, tags=(*wall.tags, "tine")) if flank else wall
 
@@ -189,7 +189,7 @@ def _joined(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> Iterator[
 def _pairs(brep: Brep, opposite_m2: Mapping[tuple[int, int], float]) -> list[tuple[int, int]]:
     found = set()
     for (a, b), area_m2 in opposite_m2.items():
-        if brep.faces[a].body == brep.faces[b].body and area_m2 > MOST * brep.faces[a].area:
+        if brep.faces[a].body == brep.faces[b].body and exceeds(area_m2, MOST * brep.faces[a].area):
             found.add((min(a, b), max(a, b)))
     return sorted(found)
 
@@ -210,7 +210,7 @@ def _wall(brep: Brep, faces: Collection[int], aside: float, below: float) -> Fla
         sides[dot(brep.faces[i].axis, first.axis) > 0].append(brep.faces[i])
     if len(sides) != 2:
         return None
-    small, large = sorted(sides.values(), key=lambda side: sum(face.area for face in side))
+    small, large = sorted(sides.values(), key=lambda side: _size(brep, side))
     small = [face for face in small if not _is_disc(brep, face)]  # the bottom of a bore that ends level with a floor
     if not small:
         return None
@@ -221,8 +221,8 @@ def _wall(brep: Brep, faces: Collection[int], aside: float, below: float) -> Fla
     # The rim of a box is long and wide as a whole, but narrow: there the mean width counts.
     area = sum(face.area for face in small)
     clear = width if area > FILLED * length * width else area / length
-    thin = thickness < PLATE_RATIO * clear
-    low = thickness < FLATTER * clear and thickness < PLATE_RATIO * length
+    thin = not reaches(thickness, PLATE_RATIO * clear)
+    low = not reaches(thickness, FLATTER * clear) and not reaches(thickness, PLATE_RATIO * length)
     if thickness <= 0 or not (thin or low or thickness < max(min(aside, length), below)):
         return None
     return FlatWall(
@@ -236,6 +236,12 @@ def _wall(brep: Brep, faces: Collection[int], aside: float, below: float) -> Fla
         is_thin=thin,
         tags=("ear",) if any(_is_ear(brep, face) for face in (*small, *large)) else (),
     )
+
+
+def _size(brep: Brep, side: Sequence[FaceRecord]) -> tuple[float, float]:
+    """To sort the two sides of a wall by: area; of a bent sheet's two, alike in that, the outer one is first."""
+    around = {i for face in side for i in brep.beside(face.id, EdgeConvexity.SMOOTH)}
+    return significant(sum(face.area for face in side)), -sum(brep.faces[i].outward for i in around)
 
 
 def _is_disc(brep: Brep, face: FaceRecord) -> bool:

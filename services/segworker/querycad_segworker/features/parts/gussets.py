@@ -41,9 +41,9 @@ class Gusset:
 def gusset_in(brep: Brep, sides: Sequence[int], center: Vector, thickness: float) -> Gusset | None:
     """The gusset that a wall is which fills the corner of two faces that meet; None where it fills none.
 
-    `sides`: its faces. `center` and `thickness`: of the wall. Its height is that of the foot which
-    is the more upright one. A side that is level with that of one of the faces has no foot there: then the gusset has
-    the other side, and what is as wide as it is thick.
+    `sides`: its faces. `center` and `thickness`: of the wall. Its height is that of the more upright foot, or of
+    the shorter one. A side that is level with that of one of the faces has no foot there: then the gusset has the other
+    side, and what is as wide as it is thick.
     """
     feet = {face: _feet(brep, brep.faces[face]) for face in sides}
     standing = {face: found for face, found in feet.items() if len(found) == 2}
@@ -71,7 +71,9 @@ def gusset_in(brep: Brep, sides: Sequence[int], center: Vector, thickness: float
     if not same or spread < SPREAD or area > CORNER * a_length * b_length * spread:
         return None
     upright = abs(normals[0][2]), abs(normals[1][2])  # a foot on an upright face runs upwards
-    height, length = (a_length, b_length) if upright[0] < upright[1] else (b_length, a_length)
+    height, length = sorted((a_length, b_length))
+    if abs(upright[0] - upright[1]) > UPRIGHT:
+        height, length = (a_length, b_length) if upright[0] < upright[1] else (b_length, a_length)
     rims = {i for face in standing for e, i in brep.neighbours(face) if _is_rim(brep.faces[i], e, thickness)}
     faces = tuple(sides) if len(standing) == 2 else tuple(sorted({*standing, *rims}))
     return Gusset(length, height, faces)

@@ -22,6 +22,7 @@ from querycad_segworker.features.shared.part_measures import (
 from querycad_segworker.features.sheet.hollow_sections import HollowSection
 from querycad_segworker.features.turned.gears import Gear
 from querycad_segworker.features.turned.knurls import Knurl
+from querycad_segworker.tolerances import exceeds, reaches
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import add, box_center, box_extents, box_of, scale, sub
 
@@ -88,10 +89,10 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
     A plate that stands upright is as high as it reaches; the head of a screw is not, whichever way the screw lies. A
     bar is as thick as its smallest dimension, a hexagon as it is along its axis where that is less than across flats.
     """
-    flat = not prism.sides or prism.height < PLATE_RATIO * prism.width  # a base may be thicker
+    flat = not prism.sides or not reaches(prism.height, PLATE_RATIO * prism.width)  # a base may be thicker
     upright = flat and abs(prism.normal[2]) < UPRIGHT and prism.outline not in HEADS
     thin, second, longest = sorted((prism.length, prism.width, prism.height))
-    slender = longest > BAR_RATIO * second
+    slender = exceeds(longest, BAR_RATIO * second)
     is_head = prism.outline in HEADS and prism.height < prism.width
     return Part(
         id=f"prism-{number}",
@@ -223,7 +224,7 @@ def arm_part(brep: Brep, found: Arm, number: int) -> Part:
         tags=(
             *("rectangular", "arm"),
             *(("spoke",) if found.is_spoke else ()),
-            *(("slender",) if longest > BAR_RATIO * second else ()),
+            *(("slender",) if exceeds(longest, BAR_RATIO * second) else ()),
         ),
         label=f"{name}, {millimetres(found.width)} wide, {millimetres(found.thickness)} thick, "
         f"length {millimetres(found.length)}",

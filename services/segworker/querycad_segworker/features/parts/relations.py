@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from querycad_contracts import Bottom, Part, PartKind, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
-from querycad_segworker.tolerances import FACING
+from querycad_segworker.tolerances import FACING, exceeds
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import OFF_ROUND, dist, dot, line_distance, line_key, scale, sub, unit
 
@@ -115,7 +115,7 @@ def _ways_in(part: Part) -> tuple[Vector, ...]:
 def _place_tags(part: Part, shape: Shape) -> list[str]:
     """What the part is to the whole model by itself."""
     tags = []
-    if part.kind == "hole" and part.depth and part.diameter and part.depth > DEEP_RATIO * part.diameter:
+    if part.kind == "hole" and part.depth and part.diameter and exceeds(part.depth, DEEP_RATIO * part.diameter):
         tags.append("deep")
     if part.axis is not None and _is_central(part, shape):
         tags.append("central")

@@ -8,7 +8,7 @@ from itertools import combinations
 
 from querycad_contracts import Part, PartKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
-from querycad_segworker.tolerances import FACING
+from querycad_segworker.tolerances import FACING, significant
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import add, box_extents, cross, dist, dot, line_distance, mid, norm, scale, sub, unit
 
@@ -85,7 +85,7 @@ def _chains(members: Sequence[Part]) -> Iterator[list[Part]]:
     """Steps on one axis, in order along it, each with its own place."""
     left = [part for part in members if part.kind in (PartKind.BOSS, PartKind.PRISM, PartKind.GROOVE, PartKind.SPHERE)]
     while left:
-        lead = max(left, key=lambda part: (part.kind == "boss", part.height or 0.0))
+        lead = max(left, key=_rank)
         if lead.kind != "boss" or not lead.radius or lead.axis is None:
             return
         axis, near = lead.axis, NEAR * lead.radius
@@ -99,9 +99,14 @@ def _chains(members: Sequence[Part]) -> Iterator[list[Part]]:
         yield sorted(chain, key=lambda part: _span(part, axis))
 
 
+def _rank(part: Part) -> tuple[bool, float, float]:
+    """The longest step is a turned part's main one; of two as long, the wider one."""
+    return part.kind == "boss", significant(part.height or 0.0), significant(part.diameter or 0.0)
+
+
 def _roles(chain: Sequence[Part]) -> Iterator[tuple[str, str]]:
     steps = [part for part in chain if part.kind != "groove"]
-    shank = max(steps, key=lambda part: (part.kind == "boss", part.height or 0.0))
+    shank = max(steps, key=_rank)
     if len(steps) < 2 or shank.axis is None:
         return
     axis = shank.axis

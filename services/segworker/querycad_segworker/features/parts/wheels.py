@@ -15,6 +15,7 @@ from querycad_segworker.features.shared.part_measures import (
     stance,
 )
 from querycad_segworker.features.turned.bosses import TUBE_RATIO, Boss
+from querycad_segworker.tolerances import exceeds
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import add, box_extents, dot, line_distance, mid, parallel, scale, sub
 
@@ -146,7 +147,7 @@ def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator
         if bore.depth < RUNS * (high - low):
             continue  # the bore of one wall of a hollow body, with another boss on the wall across
         faces = tuple(sorted({face for end in own for face in end.faces}))
-        is_tube = bore.radius > TUBE_RATIO * first.radius and high - low > SLENDER * 2 * first.radius
+        is_tube = exceeds(bore.radius, TUBE_RATIO * first.radius) and exceeds(high - low, SLENDER * 2 * first.radius)
         name = "tube" if is_tube else "hub"
         yield Part(
             id=name,

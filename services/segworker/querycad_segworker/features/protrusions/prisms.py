@@ -13,6 +13,7 @@ from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import across_flats_and_corners
 from querycad_segworker.features.shared.shaft_steps import ALIKE
+from querycad_segworker.tolerances import significant
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, parted
 from querycad_segworker.vectors import (
     add,
@@ -80,7 +81,9 @@ def recognise_prisms(brep: Brep, chamfers: Collection[int] = ()) -> list[Prism]:
             else:
                 found.append(_prism(brep, ring, direction))
     kept: list[Prism] = []
-    for prism in sorted(found, key=lambda p: (not (p.sides > 4 and _is_regular(brep, p)), p.height, p.faces)):
+    for prism in sorted(
+        found, key=lambda p: (not (p.sides > 4 and _is_regular(brep, p)), significant(p.height), p.faces)
+    ):
         if not any(len(set(prism.faces) & set(other.faces)) >= 2 for other in kept):
             kept.append(prism)
     return sorted(kept, key=lambda p: p.faces[0])

@@ -11,7 +11,7 @@ from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outl
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.features.shared.walls import REVOLVED
-from querycad_segworker.tolerances import FACING, Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
 from querycad_segworker.vectors import dot
 
@@ -156,7 +156,7 @@ def _up_to_its_top(brep: Brep, frame: LocalFrame, group: Collection[int]) -> Loc
 
 def tags_of(length: float, width: float, height: float) -> tuple[str, ...]:
     """What else is a protrusion of these measures: 'rib', 'slender', 'flat'?"""
-    rib = ("rib",) if length > RIB_RATIO * width else ()
+    rib = ("rib",) if exceeds(length, RIB_RATIO * width) else ()
     if height > ALIKE * max(length, width):
         return (*rib, "slender")
-    return (*rib, "flat") if height < 0.5 * width else rib
+    return (*rib, "flat") if not reaches(height, 0.5 * width) else rib

@@ -43,16 +43,22 @@ def across_flats_and_corners(brep: Brep, faces: Iterable[int], axis: Vector) -> 
 
 
 def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[tuple[float, float]]:
-    """The different planes along the axis: (angle of the normal around it, distance of the plane from the origin)."""
+    """The outermost plane of each direction along the axis: (angle of its normal around it, distance from the origin).
+
+    The inner faces of a square tube look the same ways as its outer ones.
+    """
     u, v = across(axis)
     found: list[tuple[float, float]] = []
     for i in faces:
         face = brep.faces[i]
         if face.kind is not SurfaceKind.PLANE or abs(dot(face.axis, axis)) > UPRIGHT:
             continue
-        angle = math.atan2(dot(face.axis, v), dot(face.axis, u))
-        if not any(abs(math.remainder(angle - known, 2 * math.pi)) < TURN_RAD for known, _ in found):
-            found.append((angle, dot(face.point, face.axis)))
+        angle, level = math.atan2(dot(face.axis, v), dot(face.axis, u)), dot(face.point, face.axis)
+        alike = (side for side in found if abs(math.remainder(angle - side[0], 2 * math.pi)) < TURN_RAD)
+        known = next(alike, None)
+        if known is not None and known[1] >= level:
+            continue
+        found = [(angle, level), *(side for side in found if side is not known)]
     return sorted(found)
 
 

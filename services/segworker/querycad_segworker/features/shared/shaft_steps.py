@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence, Set
 
 from querycad_contracts import SurfaceKind
+from querycad_segworker.tolerances import reaches
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import dot, mean, parallel
 
@@ -35,7 +36,8 @@ def _is_around(steps: Sequence[tuple[Wall, ...]], place: int) -> bool:
     if not 0 < place < len(steps) - 1:
         return False
     radius, height = steps[place][0].radius, sum(wall.height for wall in steps[place])
-    return height < FLAT * 2 * radius and all(radius > ALIKE * steps[i][0].radius for i in (place - 1, place + 1))
+    wider = all(radius > ALIKE * steps[i][0].radius for i in (place - 1, place + 1))
+    return wider and not reaches(height, FLAT * 2 * radius)
 
 
 def goes_on(steps: Sequence[tuple[Wall, ...]], place: int) -> bool:
@@ -44,7 +46,7 @@ def goes_on(steps: Sequence[tuple[Wall, ...]], place: int) -> bool:
     for way in (steps[place + 1 :], steps[:place][::-1]):
         beyond = next((i for i, step in enumerate(way) if step[0].radius <= ALIKE * radius), 0)
         if beyond > 0 and way[beyond][0].radius * ALIKE >= radius:
-            if sum(wall.height for wall in way[beyond]) >= FLAT * 2 * radius:
+            if reaches(sum(wall.height for wall in way[beyond]), FLAT * 2 * radius):
                 return True
     return False
 

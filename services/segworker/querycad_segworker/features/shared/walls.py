@@ -16,6 +16,9 @@ from .modelled_threads import with_threads
 
 __all__ = ["REVOLVED", "Axis", "Wall", "is_waist", "same_surface", "walls"]
 
+ALIGNED = 1 - 1e-12
+"""Cosine: along an axis of the file, where a face's box tells how far its rims reach, saddles too, to 1e-6 of it."""
+
 
 def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
     """Which cylindrical, conical and toroidal walls does the model have? Neighbours on one surface are united.
@@ -58,6 +61,8 @@ def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:
     axis = Axis.of(first)
     points = [p for face in faces for e in brep.face_edges[face.id] for p in brep.edges[e].points]
     positions = [axis.position(p) for p in points] or [axis.position(first.point)]
+    if first.kind is SurfaceKind.CYLINDER and max(map(abs, axis.direction)) > ALIGNED:
+        positions = [axis.position(corner) for face in faces for corner in face.box]
     if first.kind is SurfaceKind.TORUS:
         positions.extend(axis.position(f.point) for f in faces)
         if not any(_goes_around(brep.edges[e], axis) for f in faces for e in brep.face_edges[f.id]):

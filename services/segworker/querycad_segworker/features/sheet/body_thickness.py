@@ -10,6 +10,7 @@ from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_box
 from querycad_segworker.features.turned.round_bodies import TurnedBody
+from querycad_segworker.tolerances import reaches
 from querycad_segworker.topology import BodyRecord, Brep, FaceRecord
 from querycad_segworker.vectors import box_extents, cross, dot, span, sub
 
@@ -62,7 +63,7 @@ def _thickness(
 
 def _of_plates(record: BodyRecord, prisms: Sequence[Prism]) -> float | None:
     """The thickness of the plates that a body is bent or joined of, as an L-bracket is."""
-    plates = [prism for prism in prisms if prism.height < PLATE_RATIO * prism.width]
+    plates = [prism for prism in prisms if not reaches(prism.height, PLATE_RATIO * prism.width)]
     if len(plates) < 2:
         return None
     thickness = plates[0].height
@@ -80,7 +81,7 @@ def largest_plane(brep: Brep, record: BodyRecord) -> FaceRecord | None:
 def is_flat(brep: Brep, record: BodyRecord) -> bool:
     """Is a body a plate: low square to its largest plane face, against its width along it?"""
     size = _size(brep, record)
-    return size is not None and size[2] < PLATE_RATIO * size[1]
+    return size is not None and not reaches(size[2], PLATE_RATIO * size[1])
 
 
 def _size(brep: Brep, record: BodyRecord) -> tuple[float, float, float] | None:
@@ -95,9 +96,9 @@ def _flat_thickness(brep: Brep, record: BodyRecord) -> float | None:
     if size is None:
         return None
     _, width, height = size
-    if between is not None and between < PLATE_RATIO * width and height < width:
+    if between is not None and not reaches(between, PLATE_RATIO * width) and height < width:
         return between
-    return height if height < PLATE_RATIO * width else None
+    return None if reaches(height, PLATE_RATIO * width) else height
 
 
 def _reach(brep: Brep, record: BodyRecord, direction: tuple[float, float, float]) -> float:

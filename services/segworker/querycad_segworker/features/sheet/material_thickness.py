@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, exceeds
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import Box, box_union, dist
 from querycad_segworker.visibility.raycast import Scene
@@ -120,7 +120,7 @@ def _shared(box: Box, depths: Depths, plane: NDArray[np.bool_]) -> float | None:
     flat = depths.of(plane[depths.faces])
     mostly_flat = flat.areas_m2.sum() > MOSTLY * depths.areas_m2.sum()
     shared = (_most_common(depths), _most_common(flat) if mostly_flat else None)
-    return next((t for t in shared if t is not None and t <= SHEET_RATIO * extents[1]), None)
+    return next((t for t in shared if t is not None and not exceeds(t, SHEET_RATIO * extents[1])), None)
 
 
 def _most_common(depths: Depths) -> float | None:

@@ -16,7 +16,7 @@ from querycad_segworker.features.shared.adjacency import breaks_edge
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_box
 from querycad_segworker.features.shared.walls import REVOLVED
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, reaches, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
 from querycad_segworker.vectors import (
     add,
@@ -64,9 +64,9 @@ def recognise_plates(brep: Brep, prisms: Sequence[Prism], ribs: Sequence[Rib], t
 
     Sorted by lowest face id. Round discs are bosses and left to them, thin walls that stand on the material are ribs.
     """
-    known = [prism for prism in prisms if prism.height < PLATE_RATIO * prism.width]
+    known = [prism for prism in prisms if not reaches(prism.height, PLATE_RATIO * prism.width)]
     across = _Across(brep, 10 * tolerances.length)
-    found: list[tuple[float, Prism, set[int]]] = []
+    found: list[tuple[tuple[float, float], Prism, set[int]]] = []
     for face in brep.faces:
         side = _side(across, face)
         if side is None or any(_is_one(prism, side) for prism in known):
@@ -75,10 +75,12 @@ def recognise_plates(brep: Brep, prisms: Sequence[Prism], ribs: Sequence[Rib], t
             continue
         plate = _plate(brep, side, tolerances)
         if plate is not None:
-            found.append((face.area, plate, {face.id, *side.below}))
+            size = significant(face.area), significant(plate.length * plate.width)
+            found.append((size, plate, {face.id, *side.below}))
     kept: list[Prism] = []
     taken: set[int] = set()
-    for _, plate, faces in sorted(found, key=lambda one: (-one[0], one[1].faces)):
+    # Of a bent sheet's two sides, as large as each other, the outer one counts: it goes on over its bends.
+    for _, plate, faces in sorted(found, key=lambda one: (-one[0][0], -one[0][1], one[1].faces)):
         if taken.isdisjoint(faces):
             taken |= faces
             kept.append(plate)
@@ -176,7 +178,8 @@ def _side(across: _Across, face: FaceRecord, free_share: float = MOST, ledge: fl
     free = np.bincount(group, weights=np.array([length for length, _ in above])[owner])
     widest = np.flatnonzero(free[group] >= free.max() - ALIKE * whole)
     order = np.concatenate([each.first for each in ends])
-    first = min(widest, key=lambda i: (owner[i], order[i]))  # of several, the one met first along the outline
+    highest = levels[widest].max() - across.near  # of several levels the nearest: the other leg of a U is across, too
+    first = min(widest[levels[widest] >= highest], key=lambda i: (owner[i], order[i]))
     if free[group[first]] <= free_share * whole:
         return None
     starts = np.cumsum([0, *counts])
@@ -275,7 +278,7 @@ def _plate(brep: Brep, side: _Side, tolerances: Tolerances, ratio: float = PLATE
     broken = {i for edge in rim for i in edge.faces if i != face.id and breaks_edge(brep, face, edge, brep.faces[i])}
     frame = frame_of_edges(brep, {edge.id for edge in rim} | brep.edges_of(broken), face.axis, None)
     length, width, _ = frame.size
-    if thickness <= 0 or thickness >= ratio * width or outline == "circular":
+    if thickness <= 0 or reaches(thickness, ratio * width) or outline == "circular":
         return None
     down = scale(face.axis, -thickness)
     low, high_corner = _level_box(faces_box(brep, {face.id, *broken}), faces_box(brep, (face.id,)), face.axis)

@@ -19,7 +19,7 @@ from querycad_segworker.features.shared.coaxial_stacks import (
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE, FLAT, goes_on, is_clasped, is_collar
 from querycad_segworker.features.shared.walls import Axis, Wall
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import parallel, points_up, scale
 
@@ -290,9 +290,9 @@ def _tags(
     ends = ((stack.low_end, 0), (stack.high_end, len(steps) - 1))
     undercut = any(end is End.CLOSED and place == last for end, last in ends)
     beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
-    flat = height < FLAT * 2 * radius and not goes_on(steps, place)
+    flat = not reaches(height, FLAT * 2 * radius) and not goes_on(steps, place)
     tags = [*_form(step[0]), "circular"]
-    if height > SLENDER * 2 * radius * (1 + 1e-6):
+    if exceeds(height, SLENDER * 2 * radius):
         tags.append("slender")
     if flat:
         tags.append("flat")
@@ -300,7 +300,7 @@ def _tags(
         tags.append("threaded")
     if bore_radius is not None:
         tags.append("hollow")
-        if not flat and bore_radius >= TUBE_RATIO * radius and bored > HOLLOW * height:
+        if not flat and reaches(bore_radius, TUBE_RATIO * radius) and exceeds(bored, HOLLOW * height):
             tags.append("tube")
     if free:
         tags.append("free")
@@ -311,7 +311,7 @@ def _tags(
         tags.append("undercut")
     elif not free or any(other > ALIKE * radius for other in beside):
         tags.append("raised")
-    if flat and beside and radius > FLANGE_RATIO * max(beside):
+    if flat and beside and exceeds(radius, FLANGE_RATIO * max(beside)):
         tags.append("flange")
     if flat and (on_both or is_collar(steps, place, hollow=bore_radius is not None, undercut=undercut)):
         tags.append("collar")

@@ -10,7 +10,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall, is_waist
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import parallel
 
@@ -148,9 +148,9 @@ def _groove(
     low, high = pieces[first].low, pieces[last].high
     depth = min(rims) - bottom
     members = [piece.wall for piece in pieces[first : last + 1]]
-    if depth <= MIN_DEPTH * abs(bottom) or (at_shoulder and depth > MAX_RELIEF * 2 * abs(bottom)):
+    if depth <= MIN_DEPTH * abs(bottom) or (at_shoulder and exceeds(depth, MAX_RELIEF * 2 * abs(bottom))):
         return None
-    if high - low >= MAX_WIDTH * 2 * abs(bottom):
+    if reaches(high - low, MAX_WIDTH * 2 * abs(bottom)):
         refuse("groove", (f for w in members for f in w.faces), "it is wider than its diameter: a step between collars")
         return None
     faces = {face for wall in members for face in wall.faces}

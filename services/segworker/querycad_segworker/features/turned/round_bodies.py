@@ -11,6 +11,7 @@ from querycad_segworker.features.holes.hole import Hole
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.tolerances import exceeds, reaches
 from querycad_segworker.topology import BodyRecord, Brep
 from querycad_segworker.vectors import add, dist, mid, points_up, scale, sub, unit
 
@@ -71,7 +72,7 @@ class TurnedBody:
     @property
     def slender(self) -> bool:
         """Is it longer than it is wide anywhere?"""
-        return self.length > 2 * self.outer_radius
+        return exceeds(self.length, 2 * self.outer_radius)
 
     @property
     def tags(self) -> tuple[str, ...]:
@@ -83,16 +84,17 @@ class TurnedBody:
         if self.bore is not None:
             tags.append("hollow")
         through = self.bore is not None and self.bore.bottom is Bottom.THROUGH
-        wide = through and self.bore is not None and self.bore.radius >= RING_RATIO * self.outer_radius
-        if wide and self.length < 0.5 * diameter:
-            tags.extend(("ring", "washer") if self.steps == 1 and self.length < WASHER_RATIO * diameter else ("ring",))
+        wide = through and self.bore is not None and reaches(self.bore.radius, RING_RATIO * self.outer_radius)
+        if wide and not reaches(self.length, 0.5 * diameter):
+            low = self.steps == 1 and not reaches(self.length, WASHER_RATIO * diameter)
+            tags.extend(("ring", "washer") if low else ("ring",))
         elif through and (wide or self.walled):
             tags.append("tube")
         elif self.slender and self.steps > 1:
             tags.append("shaft")
         elif self.slender:
             tags.extend(("shaft", "rod"))
-        elif self.length < 0.5 * diameter:
+        elif not reaches(self.length, 0.5 * diameter):
             tags.append("disc")
         return tuple(tags)
 
@@ -125,7 +127,7 @@ def turned_body(
     positions = [axis.position(p) for p in points] + [axis.position(p) for b in steps for p in (b.base, b.tip)]
     low, high = axis.at(min(positions)), axis.at(max(positions))
     bore = _bore(holes, axis, near, dist(low, high))
-    slender = dist(low, high) > 2 * outer
+    slender = exceeds(dist(low, high), 2 * outer)
     if beyond and not slender:
         refuse("shaft", record.faces, "its gear is wider than it is long: a gear with a hub")
         return None
@@ -178,7 +180,7 @@ def _widest_at(axis: Axis, widest: Boss, toothed: Sequence[Gear]) -> float:
 def _bore(holes: Sequence[Hole], axis: Axis, near: float, length: float) -> Hole | None:
     """The coaxial hole that makes the body hollow: right through it, or at least half as deep as it is long."""
     coaxial = [h for h in holes if not h.is_ring and axis.radius_of(h.center) < near]
-    deep = [h for h in coaxial if h.bottom is Bottom.THROUGH or h.depth >= HOLLOW_SHARE * length]
+    deep = [h for h in coaxial if h.bottom is Bottom.THROUGH or reaches(h.depth, HOLLOW_SHARE * length)]
     return max(deep, key=lambda h: (h.bottom is Bottom.THROUGH, h.radius), default=None)
 
 
