@@ -12,9 +12,9 @@ from querycad_segworker.features.protrusions.protrusions import Protrusion
 from querycad_segworker.features.shared.adjacency import breaks_edge
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import face_points
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import add, dot, foot, mid, norm, parallel, scale, span, sub, unit
+from querycad_segworker.vectors import add, dist, dot, foot, mid, norm, parallel, scale, span, sub, unit
 
 ALONG = 0.02
 """Sine of the angle by which the edge at the root of an arm may lean off the hub's axis."""
@@ -112,17 +112,21 @@ def _roots(brep: Brep, side: FaceRecord) -> Iterator[int]:
 
 
 def _pairs(brep: Brep, hub: _Hub) -> Iterator[tuple[FaceRecord, FaceRecord]]:
-    """Sides that look away from each other on one side of the hub, each with the nearest."""
-    widths: dict[int, list[tuple[float, int]]] = defaultdict(list)
+    """Sides that look away from each other on one side of the hub, each with the nearest.
+
+    Of several in one plane, as where rings cut a spoke in pieces, the one straight across.
+    """
+    widths: dict[int, list[tuple[float, float, int]]] = defaultdict(list)
     for number, i in enumerate(hub.sides):
         for j in hub.sides[number + 1 :]:
             a, b = brep.faces[i], brep.faces[j]
             width, way = dot(sub(a.point, b.point), a.axis), _outwards(hub, a, b)
             opposed = width > 0 and dot(a.axis, b.axis) < -math.cos(2 * math.asin(TAPER))
             if opposed and way is not None and max(abs(dot(face.axis, way)) for face in (a, b)) < TAPER:
-                widths[i].append((width, j))
-                widths[j].append((width, i))
-    nearest = {i: min(found)[1] for i, found in widths.items()}
+                apart = significant(width), dist(a.point, b.point)
+                widths[i].append((*apart, j))
+                widths[j].append((*apart, i))
+    nearest = {i: min(found)[2] for i, found in widths.items()}
     for i, j in nearest.items():
         if i < j and nearest[j] == i:
             yield brep.faces[i], brep.faces[j]

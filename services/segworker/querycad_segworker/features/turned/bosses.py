@@ -437,7 +437,8 @@ def _end_face(brep: Brep, axis: Axis, wall: Wall, position: float, stack: Stack)
 
 
 def _hole_in(holes: Sequence[Hole], axis: Axis, wall: Wall, tip: Vector, base: Vector) -> int | None:
-    """The coaxial hole that opens in the tip or runs through the step."""
+    """The widest coaxial hole that opens in the tip or runs through the step: inside a rim, not the bore of its hub."""
+    found: int | None = None
     for index, hole in enumerate(holes):
         if hole.body != wall.body or hole.is_ring or not parallel(hole.normal, axis.direction, 1e-2):
             continue
@@ -445,6 +446,7 @@ def _hole_in(holes: Sequence[Hole], axis: Axis, wall: Wall, tip: Vector, base: V
             continue
         ends = [axis.position(hole.opening), axis.position(hole.center) * 2 - axis.position(hole.opening)]
         a, b = sorted((axis.position(tip), axis.position(base)))
-        if min(b, max(ends)) - max(a, min(ends)) > 0.25 * (b - a):
-            return index
-    return None
+        inside = min(b, max(ends)) - max(a, min(ends)) > 0.25 * (b - a)
+        if inside and (found is None or hole.radius > holes[found].radius):
+            found = index
+    return found
