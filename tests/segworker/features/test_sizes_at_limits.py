@@ -186,3 +186,23 @@ def test_a_rim_goes_around_its_spokes_and_not_around_the_bore_of_the_hub() -> No
     for shape in (wheel(), shuffled(wheel()), shuffled(halved(wheel()))):
         inside = [part.inner_diameter for part in of_kind(shape, "boss") if part.radius == pytest.approx(0.060)]
         assert inside == [pytest.approx(0.100)]
+
+
+def flattened() -> TopoDS_Shape:
+    """A shaft of 40 mm with a flat 20 mm long, 2 mm deep."""
+    return cut(cylinder(20, 100, (-50, 0, 0), X), box((20, 60, 10), (-10, -30, 18)))
+
+
+@pytest.mark.parametrize("around", [0.0, 90.0, 180.0])
+def test_a_flat_on_a_shaft_is_open_wherever_the_seam_lies(around: float) -> None:
+    """It runs out in the shaft on both sides. Where no seam goes through it, its rim is a closed loop all the same."""
+    for shape in (turned(flattened(), X, around), halved(turned(flattened(), X, around))):
+        cuts = ("slot", "channel", "step", "notch", "pocket")
+        found = {str(part.kind) for part in find(shape).parts if part.kind in cuts}
+        assert found == {"notch"}  # shorter across than along the shaft
+
+
+@pytest.mark.parametrize(("length", "kind"), [(6.0, "slot"), (5.5, "notch")])
+def test_an_open_cut_as_long_as_wide_is_a_slot(length: float, kind: str) -> None:
+    shape = cut(plate(80, 60, 40), box((6, length, 5), (-3, 30 - length, -5)))
+    assert [len(of_kind(other, kind)) for other in stored(shape)] == [1] * 6

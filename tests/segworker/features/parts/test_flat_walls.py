@@ -140,7 +140,7 @@ def test_the_bar_between_two_windows_is_a_wall_and_the_rim_beside_one_is_not_bet
 
 def test_an_upright_plate_is_as_high_as_it_reaches_and_a_lying_one_as_thick() -> None:
     upright, lying = sorted(find(corner()).of("prism"), key=lambda part: abs((part.axis or UP)[2]))
-    assert (upright.height, upright.thickness) == pytest.approx((52 * MM, 6 * MM))
+    assert (upright.height, upright.thickness) == pytest.approx((60 * MM, 6 * MM))
     assert (lying.height, lying.thickness) == pytest.approx((8 * MM, 8 * MM))
     assert [wall.height for wall in find(corner()).of("wall") if "upright" in wall.tags] == pytest.approx([60 * MM])
 

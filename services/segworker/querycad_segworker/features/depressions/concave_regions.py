@@ -308,7 +308,7 @@ def slot_between(
     is_cut_through = undercuts is None and not ends and not round_ends
     if is_cut_through and exceeds(depth, length) and reaches(depth, ELONGATED * width):
         return _through_slot(brep, group, floor, along, width)
-    if length < width and undercuts is None:
+    if not reaches(length, width) and undercuts is None:
         return replace(found, kind=DepressionKind.NOTCH)
     return found
 
@@ -338,7 +338,7 @@ def _round_bottomed(brep: Brep, group: set[int], tunnel: Tunnel, planes: Sequenc
         frame = frame_of(brep, group, upwards(tunnel.axis), None, normal)
         slot = depression_in(DepressionKind.SLOT, "obround", frame, group, (), bottom.body, is_open=True)
         return replace(slot, tags=("through",), corner_radius=bottom.radius)
-    kind = DepressionKind.NOTCH if length < width else DepressionKind.SLOT
+    kind = DepressionKind.SLOT if reaches(length, width) else DepressionKind.NOTCH
     found = depression_in(kind, "free", frame, group, (bottom.id,), bottom.body, is_open=True)
     return replace(found, tags=("u_shaped",), corner_radius=bottom.radius)
 

@@ -9,6 +9,7 @@ from enum import StrEnum
 from querycad_contracts import Vector
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.frames import LocalFrame
+from querycad_segworker.tolerances import exceeds
 from querycad_segworker.vectors import add, scale
 
 ELONGATED = 1.5
@@ -105,7 +106,7 @@ def depression_in(
 
 def with_open_ends(found: Depression, is_clear: IsClear) -> Depression:
     """Tagged 'open_ended' where one can leave it at both ends of its length, 'open_end' where at one."""
-    if not found.is_open or found.length <= found.width:
+    if not found.is_open or not exceeds(found.length, found.width):
         return found
     ends = (scale(found.direction, side * (found.length / 2 + BEYOND * found.width)) for side in (-1.0, 1.0))
     clear = sum(is_clear(found.center, add(found.center, end)) for end in ends)

@@ -126,7 +126,10 @@ def _behind_rim(
         or (first is not None and all(t is not None and parallel(t.axis, first.axis, 1e-2) for t in tunnels))
     )
     if alone:
-        depression = _closed(brep, graph, host, rim, sunk, tolerances)
+        # A flat on a shaft runs out in it, wherever the shaft's seam lies: no wall stands there.
+        runs_out = host.kind is SurfaceKind.CYLINDER and host.outward > 0 and _is_flat(brep, host, beyond & sunk)
+        cut = group_depression(brep, sunk, graph, tolerances, set()) if runs_out else None
+        depression = cut or _closed(brep, graph, host, rim, sunk, tolerances)
         return [depression] if depression is not None else []
     found = []
     for piece in pieces:
@@ -138,6 +141,15 @@ def _behind_rim(
         if cut is not None:
             found.append(cut)
     return found
+
+
+def _is_flat(brep: Brep, shaft: FaceRecord, beyond: Collection[int]) -> bool:
+    """Is one of the faces beyond a rim in a shaft a plane that looks straight away from its axis?"""
+    planes = brep.of_kind(SurfaceKind.PLANE, sorted(beyond))
+    feet = ((face, foot(face.point, shaft.origin, shaft.axis)) for face in planes)
+    return any(
+        abs(dot(face.axis, shaft.axis)) < UPRIGHT and dot(sub(face.point, at), face.axis) > 0 for face, at in feet
+    )
 
 
 def _holds(brep: Brep, host: FaceRecord, piece: set[int]) -> bool:

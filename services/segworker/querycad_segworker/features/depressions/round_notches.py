@@ -10,7 +10,7 @@ from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, exceeds
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
 from querycad_segworker.vectors import dot, parallel, sub
 
@@ -48,7 +48,7 @@ def recognise_round_notches(
             continue
         frame = frame_of(brep, set(wall.faces), sides[0].axis, None, wall.axis.direction)
         length, width, _ = frame.size
-        kind = DepressionKind.SLOT if length > width else DepressionKind.NOTCH
+        kind = DepressionKind.SLOT if exceeds(length, width) else DepressionKind.NOTCH
         half = abs(wall.sweep - math.pi) <= HALF_TURN_RAD
         found = depression_in(
             kind, "semicircular" if half else "circular", frame, wall.faces, (), wall.body, is_open=True

@@ -65,6 +65,8 @@ def _by_body(parts: Sequence[Part], brep: Brep) -> dict[int, list[Part]]:
     own: dict[int, list[Part]] = defaultdict(list)
     for part in parts:
         turned = part.kind == "groove" and "turned" in part.tags
+        if part.kind is PartKind.PRISM and "hub" in part.tags:
+            continue  # it is made of steps
         if (part.kind in (PartKind.BOSS, PartKind.PRISM) or turned or part.tube_diameter) and part.axis is not None:
             own[brep.faces[part.faces[0]].body].append(part)
     for ball in parts:

@@ -12,7 +12,7 @@ from querycad_segworker.features.protrusions.protrusions import Protrusion
 from querycad_segworker.features.shared.adjacency import breaks_edge
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import face_points
-from querycad_segworker.tolerances import Tolerances, significant
+from querycad_segworker.tolerances import Tolerances, exceeds, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import add, dist, dot, foot, mid, norm, parallel, scale, span, sub, unit
 
@@ -156,7 +156,7 @@ def _arm(brep: Brep, hub: _Hub, a: FaceRecord, b: FaceRecord) -> Arm | None:
     reach = min(rims) if rims else span(face_points(brep, (a.id, b.id, *ends)), way)[1] - origin
     width = abs(dot(sub(a.point, b.point), unit(sub(a.axis, b.axis))))
     length, thickness = reach - hub.radius, max(levels) - min(levels)
-    if length <= width or thickness > length:
+    if not exceeds(length, width) or exceeds(thickness, length):
         return None
     at = add(hub.axis.origin, scale(axis, (max(levels) + min(levels)) / 2 - dot(hub.axis.origin, axis)))
     return Arm(
