@@ -180,3 +180,16 @@ def test_a_clamping_collar_with_two_slits_keeps_its_bore() -> None:
     (bore,) = find(collar).of("hole")
     assert bore.diameter == pytest.approx(24 * MM)
     assert "through" in bore.tags
+
+
+def test_the_roof_and_the_bottom_of_a_chamber_are_no_countersinks() -> None:
+    inside = [cone(9, 28, 20, (0, 0, 2)), cylinder(28, 80, (0, 0, 22)), cone(28, 10, 20, (0, 0, 102))]
+    bottle = cut(cylinder(30, 140), *inside, cylinder(10, 20, (0, 0, 121)))
+    found = find(bottle)
+    assert not found.of("countersink")
+    assert [found.hole.diameter, found.hole.depth] == near(20, 138)
+
+
+def test_a_cone_from_either_face_down_to_the_bore_is_a_countersink() -> None:
+    block = cut(box((60, 60, 20), (-30, -30, 0)), cylinder(5, 20), cone(10, 5, 5), cone(5, 10, 5, (0, 0, 15)))
+    assert [sink.diameter for sink in find(block).of("countersink")] == near(20, 20)

@@ -167,3 +167,20 @@ def test_a_tube_is_bored_along_most_of_it_and_a_shaft_with_a_hole_in_it_is_none(
     boss = only_boss(cut(cylinder(7.5, 60), cylinder(4, deep)))
     assert ("tube" in boss.tags) is tube
     assert boss.label.partition(",")[0] == ("tube" if tube else "shaft")
+
+
+def test_a_neck_that_tapers_from_its_flange_is_a_conical_boss() -> None:
+    flange = cut(fuse(cylinder(75, 20), cone(35, 27, 30, (0, 0, 20))), cylinder(25, 60, (0, 0, -5)))
+    (neck,) = [boss for boss in find(flange).of("boss") if "conical" in boss.tags]
+    assert [neck.diameter, neck.height] == near(70, 30)
+
+
+def test_a_cone_that_eases_the_corner_of_a_shoulder_is_no_boss() -> None:
+    shaft = fuse(cylinder(30, 20), cone(15, 12, 3, (0, 0, 20)), cylinder(12, 60, (0, 0, 20)))
+    assert sorted(boss.diameter or 0.0 for boss in find(shaft).of("boss")) == near(24, 60)
+
+
+@pytest.mark.parametrize(("depth", "hollow"), [(8, False), (25, True)])
+def test_a_centre_hole_in_its_end_makes_no_shaft_hollow(depth: float, hollow: bool) -> None:
+    (shaft,) = find(cut(cylinder(10, 30), cylinder(1.25, depth))).of("boss")
+    assert ("hollow" in shaft.tags, len(shaft.radii)) == (hollow, 1 + hollow)

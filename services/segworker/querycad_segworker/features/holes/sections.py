@@ -78,7 +78,8 @@ def sections_of(
         elif wall.kind is SurfaceKind.CONE and cylinders and radius > end_radius > 0.05 * radius:
             wide = reaches(radius, CHAMFER_RATIO * end_radius)
             kind = SectionKind.COUNTERSINK if wide else SectionKind.CHAMFER
-            if radius - end_radius < TAPER * wall.height and wall.height > end_radius:
+            within = i > bores[0] and not from_far  # the roof of a chamber or the bottom of a vessel
+            if (radius - end_radius < TAPER * wall.height and wall.height > end_radius) or (wide and within):
                 kind = SectionKind.BORE
         elif through and len(inwards) == 1 and wall.kind is SurfaceKind.CONE and end_radius > 0.05 * radius:
             leans = radius - end_radius > TAPER * wall.height  # a countersink as deep as the sheet is thick

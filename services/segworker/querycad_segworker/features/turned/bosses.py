@@ -55,7 +55,8 @@ class Boss:
 
     `normal` points from `base` to `tip` along the axis. `radius` is the widest.
     `hole` is the index of the coaxial hole in its tip, of a standoff or ring, `bore_radius` that hole's radius where it
-    runs through the step. `breaks` are chamfers at its ends; `step_of` counts the steps of its stack.
+    runs through the step; None of a shaft with no more than a hole in its end. `breaks` are chamfers at its ends;
+    `step_of` counts the steps of its stack.
     """
 
     base: Vector
@@ -154,17 +155,18 @@ def _steps(stack: Stack, tolerances: Tolerances) -> list[tuple[Wall, ...]]:
 
 
 def _is_step(wall: Wall, stack: Stack) -> bool:
-    """A cylinder is; a cone is unless it merely breaks the edge of a cylinder next to it."""
+    """A cylinder is; a cone is unless it merely breaks the edge of a cylinder next to it, or cuts its corner."""
     if wall.kind is SurfaceKind.CYLINDER:
         return True
     cylinders = [w for w in stack.walls if w.kind is SurfaceKind.CYLINDER]
     low, high = wall_range(stack.axis, wall)
     near = 0.01 * wall.height
+    # What is wider by far is not the cylinder whose edge it breaks, but the flange that a neck stands on.
+    slim = [c for c in cylinders if c.radius <= WIDER * wall.radius]
     touching = [
-        c for c in cylinders for a, b in (wall_range(stack.axis, c),) if abs(a - high) <= near or abs(b - low) <= near
+        c for c in slim for a, b in (wall_range(stack.axis, c),) if abs(a - high) <= near or abs(b - low) <= near
     ]
-    # Over a rounding nothing touches; what is wider by far is not the cylinder whose edge it breaks.
-    beside = touching or [c for c in cylinders if c.radius <= WIDER * wall.radius]
+    beside = touching or slim  # over a rounding nothing touches
     return wall.kind is SurfaceKind.CONE and all(wall.height > 0.5 * c.radius for c in beside)
 
 
@@ -240,6 +242,8 @@ def _boss(
     hole = _hole_in(holes, axis, wall, tip, base)
     bore_radius = None if hole is None else _bore_radius(holes[hole], axis, low, high)
     bored = 0.0 if hole is None else _bored(holes[hole], axis, low, high)
+    if high - low > SLENDER * 2 * wall.radius and bored <= HOLLOW * (high - low):
+        bore_radius = None  # a centre hole in its end makes no shaft hollow
     tags = _tags(stack, steps, step, high - low, bore_radius, bored, on_both=is_clasped(brep, axis, own))
     return Boss(
         base=base,
