@@ -13,7 +13,7 @@ from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecor
 from querycad_segworker.vectors import cross, dot, norm, span, sub, unit
 
 from .axes import Axis
-from .frames import POLYGONS, polygon_name
+from .frames import ARCHED, POLYGONS, polygon_name
 
 ACROSS = 0.02
 """Cosine above which a face does not run along a direction: 1.1 degrees."""
@@ -115,7 +115,8 @@ def section_of(faces: Collection[FaceRecord], corners: Sequence[float] = (), *, 
         sides = 2 * math.pi / sharp[0]
         if abs(sides - round(sides)) < 0.1:
             return POLYGONS.get(round(sides), "polygonal")
-    return polygon_name([face.axis for face in flats])
+    name = polygon_name([face.axis for face in flats])
+    return "rectangular" if name == ARCHED and not closed else name  # two flanks and what joins them
 
 
 def first_of_surface(

@@ -26,6 +26,8 @@ from querycad_segworker.vectors import (
 
 POLYGONS = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
 """Names of outlines by their number of sides."""
+ARCHED = "arched"
+"""Two sides along each other, a third across, and a round top."""
 SKEW = math.sin(math.radians(3.0))
 """Sides that run apart by more than this lean on purpose; converted files are off by far less."""
 
@@ -159,12 +161,15 @@ def outline_of(brep: Brep, rim: Loop, tolerances: Tolerances) -> tuple[str, floa
 def polygon_name(sides: Sequence[Vector]) -> str:
     """What is an outline called that has these sides, given as unit directions along them, or across?
 
-    With four sides 'rectangular' where all corners are square, 'trapezoidal' where only two sides are parallel.
+    With four sides 'rectangular' where all corners are square, 'trapezoidal' where only two sides are parallel. With
+    three 'arched' where two are parallel: no triangle, a curve closes them, as of a window or a lug.
     """
-    if len(sides) != 4:
-        return POLYGONS.get(len(sides), "polygonal")
     pairs = [(a, b) for i, a in enumerate(sides) for b in sides[i + 1 :]]
     parallels = sum(parallel(a, b, SKEW) for a, b in pairs)
+    if len(sides) == 3 and parallels:
+        return ARCHED
+    if len(sides) != 4:
+        return POLYGONS.get(len(sides), "polygonal")
     if parallels == 2:
         return "rectangular" if sum(abs(dot(a, b)) <= SKEW for a, b in pairs) == 4 else "rhomboid"
     return "trapezoidal" if parallels == 1 else "polygonal"
