@@ -14,11 +14,11 @@ from querycad_segworker.features.shared.extruded_walls import (
     first_of_surface,
     tunnel_of,
 )
-from querycad_segworker.features.shared.frames import frame_of, outline_of
+from querycad_segworker.features.shared.frames import face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit, upwards
+from querycad_segworker.vectors import cross, dot, norm, parallel, span, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
 from .slot_sections import (
@@ -83,7 +83,7 @@ def group_depression(
         return _round_bottomed(brep, group, tunnel, planes)
     floors = [brep.faces[f] for f in sorted(graph.flush(floor.id))]
     if all(_is_walled_in(graph, piece, walls, group, others) for piece in floors):
-        return _pocket(brep, group, floors, planes, tolerances)
+        return _pocket(brep, _within_rim(brep, group, floor, walls, tolerances), floors, planes, tolerances)
     if pair is None or undercut(brep, group, floor, pair) is None:
         held = _floor_held(graph, group, planes)
         if held:
@@ -166,8 +166,8 @@ def _floor(
         pair = facing_pair([wall for wall in walls if wall.kind is SurfaceKind.PLANE], face.axis)
         size = round(face.area / largest, 3) if most > 2 or pair is not None else 0.0
         return (
-            len(walls),
             _is_surrounded(graph.brep, face, group),
+            len(walls),
             pair is not None,
             size,
             dot(face.axis, (0.1, -0.2, 1.0)),
@@ -256,6 +256,25 @@ def _open_on_floor(
     return replace(found, depth=max(found.depth, _rise(graph.brep, floor, plane_walls)))
 
 
+def _within_rim(
+    brep: Brep, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord], tolerances: Tolerances
+) -> set[int]:
+    """The faces of a pocket, but for those of what stands on its walls and reaches out of it: the tabs of a cover.
+
+    A pocket ends at the highest level face that its walls, or the rounds and chamfers of their edges, end at.
+    """
+    beside = [brep.faces[i] for wall in walls for i in brep.beside(wall.id, EdgeConvexity.CONVEX)]
+    beside += [top for wall in walls for top in over_edge_break(brep, wall)]
+    planes = [face for face in beside if face.kind is SurfaceKind.PLANE]
+    levels = [dot(face.point, floor.axis) for face in planes if dot(face.axis, floor.axis) > FACING.parallel]
+    if not levels:
+        return group
+    rim = max(levels) + 10 * tolerances.length
+    others = group.difference({floor.id}, (wall.id for wall in walls))
+    out = {face for face in others if span(face_points(brep, (face,)), floor.axis)[1] > rim}
+    return group - out - {face for face in others if not out.isdisjoint(brep.beside(face, EdgeConvexity.CONVEX))}
+
+
 def _rise(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord]) -> float:
     """How high above a floor lie the level faces that its walls end at, over the chamfer or round of their edge?"""
     level = [
@@ -293,10 +312,12 @@ def slot_between(
     plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
     ends = [w for w in plane_walls if abs(dot(w.axis, along)) > 0.5]
     straight = undercuts is not None or _is_square(plane_walls)  # from above the lips of an undercut are its outline
-    outline = "obround" if round_ends else "rectangular" if straight else "free"
+    corners = [wall for wall in round_ends if any(_meet(brep, wall, end) for end in ends)]
+    outline = "obround" if len(corners) < len(round_ends) else "rectangular" if straight else "free"
     found = depression_in(DepressionKind.SLOT, outline, frame, group, (floor.id,), floor.body, is_open=True)
     found = replace(
         found,
+        corner_radius=min((corner.radius for corner in corners), default=None),
         width=width,
         depth=depth,
         floor_width=gap_on(floor, pair) if undercuts else None,
