@@ -191,3 +191,28 @@ def test_the_edge_of_a_leg_is_no_rib_of_its_own() -> None:
     eyes = fuse(yoke, *(cylinder(19, 16, (59, y, -60), Y) for y in (-3, 47)))
     assert not find(eyes).of("rib")
     assert len(find(fuse(box((120, 60, 10)), box((60, 6, 15), (30, 27, 10)))).of("rib")) == 1
+
+
+def flanged_tray(tab: TopoDS_Shape) -> TopoDS_Shape:
+    """A tray of 2 mm sheet with a rim that stands out by 5 mm, and a tab."""
+    outside = fuse(box((110, 70, 2), (-55, -35, 18)), box((100, 60, 20), (-50, -30, 0)))
+    return fuse(cut(outside, box((96, 56, 18), (-48, -28, 2))), tab)
+
+
+def test_no_wall_lies_behind_the_rim_of_a_flange() -> None:
+    found = find(flanged_tray(box((1, 1, 1))))
+    assert [wall.thickness for wall in found.of("wall")] == pytest.approx([2 * MM] * len(found.of("wall")))
+
+
+def test_the_edge_of_a_wall_that_hangs_below_a_tray_is_no_rib() -> None:
+    assert not find(flanged_tray(box((100, 2, 10), (-50, -30, -10)))).of("rib")
+
+
+def test_what_hangs_below_the_middle_of_a_tray_is_one() -> None:
+    (rib,) = find(flanged_tray(box((100, 2, 10), (-50, -1, -10)))).of("rib")
+    assert [rib.thickness, rib.height] == pytest.approx([2 * MM, 10 * MM])
+
+
+def test_the_end_wall_of_a_narrow_pocket_may_be_thicker_than_the_pocket_is_wide() -> None:
+    block = cut(box((60, 60, 40)), box((40, 5, 30), (10, 27.5, 10)))
+    assert [round((wall.thickness or 0.0) / MM, 6) for wall in find(block).of("wall")].count(10) == 2

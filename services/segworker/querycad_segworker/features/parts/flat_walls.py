@@ -50,7 +50,7 @@ STANDS_IN = frozenset(("between", "gusset"))
 """What parts two openings, or stiffens a corner, is no leg."""
 HALF_TURN_RAD = math.radians(150.0)
 """The end of an ear is round by so much at least."""
-EDGE = 0.2
+EDGE = 0.5
 """What is smaller than this share of the wall that has its sides is an edge of that wall, and no rib: a rib fills most
 of the wall between its flanks."""
 UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
@@ -117,7 +117,7 @@ def recognise_flat_walls(
     low: list[FlatWall] = []
     for pairs in alike.values():
         for faces in linked({i for pair in pairs for i in pair}, pairs):
-            wall = _wall(brep, faces, *(max(most.get(face, 0.0) for face in faces) for most in (aside, below)))
+            wall = _wall(brep, faces, aside, below)
             if wall is not None:
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
                 (thin if wall.is_thin else low).append(wall)
@@ -198,11 +198,14 @@ def _gap(brep: Brep, a: int, b: int) -> float:
     return abs(dot(brep.faces[a].point, brep.faces[a].axis) - dot(brep.faces[b].point, brep.faces[a].axis))
 
 
-def _wall(brep: Brep, faces: Collection[int], aside: float, below: float) -> FlatWall | None:
+def _wall(
+    brep: Brep, faces: Collection[int], aside: Mapping[int, float], below: Mapping[int, float]
+) -> FlatWall | None:
     """The wall between the faces that look one way and those that look the other; None where it is too thick.
 
-    `aside`, `below`: how thick it may be beside a slot or pocket, and below the floor of one, metres. What is thicker
-    than it is long and wide is a block beside a pocket, no wall.
+    `aside`, `below`: how thick it may be beside a slot or pocket, and below the floor of one, metres, by their faces.
+    What is thicker than it is long and wide is a block beside a pocket, no wall; and where it is thicker than its
+    smaller side is wide, that side is the pocket's: no wall lies behind the rim of a flange, nor under a rib.
     """
     first = brep.faces[min(faces)]
     sides: dict[bool, list[FaceRecord]] = defaultdict(list)
@@ -223,7 +226,9 @@ def _wall(brep: Brep, faces: Collection[int], aside: float, below: float) -> Fla
     clear = width if area > FILLED * length * width else area / length
     thin = not reaches(thickness, PLATE_RATIO * clear)
     low = not reaches(thickness, FLATTER * clear) and not reaches(thickness, PLATE_RATIO * length)
-    if thickness <= 0 or not (thin or low or thickness < max(min(aside, length), below)):
+    near = faces if thickness < clear else [face.id for face in small]
+    beside, under = (max(most.get(face, 0.0) for face in near) for most in (aside, below))
+    if thickness <= 0 or not (thin or low or thickness < max(min(beside, length), under)):
         return None
     return FlatWall(
         thickness=thickness,
@@ -295,12 +300,13 @@ def with_fins(walls: Sequence[FlatWall], flanks: Sequence[frozenset[int]]) -> li
 
 
 def is_in_wall(rib: Rib, walls: Sequence[FlatWall]) -> bool:
-    """Is it no rib by itself: a gusset, or an edge of a much larger wall between the same two sides?"""
+    """Is it no rib by itself: a gusset, or an edge of a larger wall between the same two sides?"""
     flanks = set(rib.flanks)
     return any(
         not flanks.isdisjoint(wall.faces)
         if "gusset" in wall.tags
         else len(flanks) > 1
+        and "fin" not in wall.tags
         and flanks.issubset(wall.faces)
         and rib.length * rib.height < EDGE * wall.length * wall.width
         for wall in walls
