@@ -111,3 +111,17 @@ def test_holes_of_different_sizes_are_no_pattern() -> None:
 def test_holes_of_two_bodies_are_two_patterns() -> None:
     one = drilled(plate(100, 20, 5), [(x, 3) for x in (-30, 0, 30)])
     assert len(find(compound(one, shifted(one, (0, 40, 0)))).of("pattern")) == 2
+
+
+def test_a_bolt_circle_may_leave_out_places() -> None:
+    flange = cut(cylinder(50, 8), cylinder(20, 8))
+    circled = only(find(drilled(flange, circle(12, 38)[3:])), "bolt_circle")
+    assert circled.count == 9
+    assert circled.diameter == pytest.approx(76 * MM)
+    assert circled.pitch == pytest.approx(76 * MM * math.sin(math.pi / 12))
+
+
+@pytest.mark.parametrize("places", [(0, 1, 2, 4, 5), (0, 1, 3)])
+def test_holes_on_too_few_places_of_a_circle_are_none(places: tuple[int, ...]) -> None:
+    flange = cut(cylinder(50, 8), cylinder(20, 8))
+    assert not find(drilled(flange, [circle(8, 38)[i] for i in places])).of("pattern")

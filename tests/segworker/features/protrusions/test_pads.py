@@ -144,3 +144,9 @@ def test_a_rail_whose_flanks_lean_over_the_face_is_a_dovetail() -> None:
 
 def test_the_teeth_of_a_gear_are_no_ledges() -> None:
     assert ledges(fuse(gear(18, 20, 16, 8), cylinder(25, 4, (0, 0, -4)))) == []
+
+
+def test_the_shaft_beyond_a_keyway_is_no_ledge() -> None:
+    key = fuse(box((4, 8, 22), (11, -4, 9)), *(cylinder(4, 4, (11, 0, z), (1, 0, 0)) for z in (9, 31)))
+    shaft = cut(fuse(cylinder(15, 40), cylinder(10, 80, (0, 0, -20))), key)
+    assert not find(shaft).of("elevation")

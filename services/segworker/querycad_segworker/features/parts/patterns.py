@@ -17,6 +17,9 @@ MIN_MEMBERS = 3
 """Two like holes are a pair; three in a line or on a circle around a feature are laid out."""
 FULL_CIRCLE = 4
 """Any three points lie on a circle: without a feature in the middle, so many are needed."""
+MOST_PLACES = 2 / 3
+"""A bolt circle may leave out places, where something is in the way, but fills more than this share of them. Four holes
+at the corners of a rectangle fill two thirds of six."""
 MAX_AXES = 50
 """A bolt circle lies around one of the main features; to look at more would cost the square of their number."""
 NEAR = 5e-3
@@ -181,11 +184,17 @@ def _circles(points: dict[int, Vector], normal: Vector, centers: Sequence[Vector
 
 
 def _equal_angles(angles: Sequence[float]) -> float | None:
-    """The pitch angle when all lie at equal angles all around, else None."""
+    """The pitch angle when all lie at equal angles all around, but for a few places left out, else None."""
     ordered = sorted(angles)
-    pitch = 2 * math.pi / len(ordered)
-    ahead = [*ordered[1:], ordered[0] + 2 * math.pi]
-    return pitch if all(abs(b - a - pitch) < NEAR * pitch for a, b in zip(ordered, ahead, strict=True)) else None
+    gaps = [b - a for a, b in zip(ordered, [*ordered[1:], ordered[0] + 2 * math.pi], strict=True)]
+    if min(gaps) <= 0.0:
+        return None
+    places = round(2 * math.pi / min(gaps))
+    pitch = 2 * math.pi / places
+    if any(abs(gap - round(gap / pitch) * pitch) >= NEAR * pitch for gap in gaps):
+        return None
+    gapped = len(angles) > FULL_CIRCLE and len(angles) > MOST_PLACES * places
+    return pitch if len(angles) == places or gapped else None
 
 
 def _row(points: dict[int, Vector], normal: Vector) -> Pattern | None:

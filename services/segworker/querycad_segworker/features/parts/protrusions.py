@@ -68,12 +68,16 @@ def protrusion_part(
 def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part], volumes: Volumes) -> list[Part]:
     """Ledges as elevations, numbered after those among `parts`; none that is a wall, rib or other part already.
 
-    A ledge is as thick as the lesser side of its foot.
+    What has no face but those of one cut is what the cut leaves: the shaft beyond a keyway, the lip of a T slot. A
+    ledge is as thick as the lesser side of its foot.
     """
     standing = [part for part in parts if part.kind.stands_out or part.kind in _MADE_OF_PIECES]
     number = sum(part.kind is PartKind.ELEVATION for part in parts)
+    cuts = [frozenset(part.faces) for part in parts if part.kind.cuts_in]
     found: list[Part] = []
     for ledge in ledges:
+        if any(cut.issuperset(ledge.faces) for cut in cuts):
+            continue
         whole, largest = faces_area(brep, ledge.faces), max(ledge.faces, key=lambda face: brep.faces[face].area)
         shared = [set(ledge.faces).intersection(part.faces) for part in standing]
         if any(largest in faces or faces_area(brep, faces) > TAKEN * whole for faces in shared):
