@@ -125,3 +125,9 @@ def test_a_slope_that_carries_a_boss_shapes_the_body() -> None:
     wedge = prism([(0, 0, 0), (60, 0, 0), (60, 0, 20), (25, 0, 55), (0, 0, 55)], (0, 45, 0))
     assert len(find(wedge).of("chamfer")) == 1
     assert not find(fuse(wedge, cylinder(8, 20, (42.5, 22.5, 37.5), (1, 0, 1)))).of("chamfer")
+
+
+def test_a_hole_through_a_chamfer_leaves_its_width() -> None:
+    wedge = prism([(0, 0, 0), (40, 0, 0), (40, 0, 15), (35, 0, 20), (0, 0, 20)], (0, 60, 0))
+    (chamfer,) = find(cut(wedge, cylinder(2, 20, (30, 30, 10), (1, 0, 1)))).of("chamfer")
+    assert chamfer.width == pytest.approx(5 * math.sqrt(2) * MM)

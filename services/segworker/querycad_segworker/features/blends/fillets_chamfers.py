@@ -13,7 +13,7 @@ from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, spread
-from querycad_segworker.vectors import Box, box_center, cross, dot, line_distance, parallel, sub
+from querycad_segworker.vectors import Box, box_center, cross, dist, dot, line_distance, norm, parallel, scale, sub
 
 from .rolling_balls import RolledFace, rolled_face
 
@@ -173,7 +173,7 @@ def _chamfer(brep: Brep, face: FaceRecord) -> _Strip | None:
     if len(sides) < 2:
         return None
     (first, second), length = sides[:2], (_length(sides[0]) + _length(sides[1])) / 2
-    width = face.area / length if length > 0 else math.inf
+    width = _between(first[0], second[0]) or (face.area / length if length > 0 else math.inf)
     a, b = (_side(brep, face, edges_along) for edges_along in (first, second))
     if _length(second) < 0.5 * _length(first) or a.face.id == b.face.id:
         return None
@@ -212,6 +212,16 @@ def _shapes_body(
     if whole_corner and not _carries(brep, face) and not _is_polygon(brep, face, first, second, width):
         return None
     return "it takes so much of the faces beside it that it shapes the body"
+
+
+def _between(a: EdgeRecord, b: EdgeRecord) -> float | None:
+    """How far is it across a strip, between its long edges, whatever pierces it? None unless straight or round."""
+    if a.kind is EdgeKind.LINE is b.kind:
+        across = sub(b.mid, a.mid)
+        return norm(sub(across, scale(a.direction, dot(across, a.direction))))
+    if a.kind is EdgeKind.CIRCLE is b.kind and a.center is not None and b.center is not None:
+        return math.hypot(dist(a.center, b.center), (a.radius or 0.0) - (b.radius or 0.0))
+    return None
 
 
 def _carries(brep: Brep, face: FaceRecord) -> bool:
