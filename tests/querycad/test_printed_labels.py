@@ -8,11 +8,11 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
-from tests.segworker.shapes import box, chamfered, compound, cone, cut, cylinder, fuse, upright, write_step
+from tests.segworker.shapes import ball, box, chamfered, compound, cone, cut, cylinder, fuse, upright, write_step
 
 from querycad_answering.addressing import address
 from querycad_answering.drawing.callouts import callouts, carried_sections
-from querycad_answering.drawing.describing import SURFACES, describe
+from querycad_answering.drawing.describing import SURFACES, describe, is_bare_surface
 from querycad_answering.llm.facts import facts
 from querycad_contracts import Part, PartKind
 from querycad_language.describe import plural_of
@@ -50,12 +50,12 @@ def named_model(
 
 
 def told(folder: Path) -> Path:
-    """A plate with blind and counterbored holes in a rectangle and in a row, a cone on it, a disc beside it."""
+    """A plate with blind and counterbored holes in a rectangle and in a row, a cone on it, a disc and a ball beside."""
     drills = [cylinder(2, 8, (x, y, 12)) for x in (10, 90) for y in (10, 50)]
     bores = [fuse(cylinder(2.5, 30, (x, 30, -5)), cylinder(5, 5, (x, 30, 15))) for x in (20, 35, 50)]
     block = box((100, 60, 20))
     plate = fuse(cut(chamfered(block, 2, *upright(block)), *drills, *bores), cone(8, 4, 10, (75, 30, 20)))
-    return write_step(folder / "told.step", compound(plate, cylinder(15, 4, (150, 0, 0))))
+    return write_step(folder / "told.step", compound(plate, cylinder(15, 4, (150, 0, 0)), ball(10, (200, 0, 0))))
 
 
 def test_a_whole_label_reaches_what_it_is_printed_of(named_model: tuple[str, Model]) -> None:
@@ -91,8 +91,8 @@ def test_a_line_of_a_list_names_its_parts_in_a_question(named_model: tuple[str, 
     _, model = named_model
     known = {part.id: part for part in model.parts}
     carried = carried_sections(model.parts)
-    left_out = (*SURFACES, PartKind.MODEL, PartKind.BODY)
-    listed = [part for part in model.parts if part.kind not in left_out and part.id not in carried]
+    left_out = {*carried, *(part.id for part in model.parts if part.kind.is_whole or is_bare_surface(part))}
+    listed = [part for part in model.parts if part.id not in left_out]
     described = describe(summary(model), model.parts)
     for one in {*callouts(listed, known=known), *described.features, *described.patterns}:
         text = one.text

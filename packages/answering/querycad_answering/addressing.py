@@ -23,7 +23,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import MAX_CHARS
 
 from .drawing.callouts import callouts, carried_sections, ids_text
-from .drawing.describing import SURFACES
+from .drawing.describing import SURFACES, is_bare_surface
 
 T = TypeVar("T")
 
@@ -61,6 +61,7 @@ _CALLOUT = re.compile(
 )
 _FACES = ("face", "faces", "surface", "surfaces")
 _NO_NOUN = (PartKind.MODEL, PartKind.REGION)
+_NO_LINE = (*_NO_NOUN, PartKind.BODY)
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,7 +201,7 @@ class _Finder:
         """What lists print of like parts: '8x Ø16 THRU, counterbore Ø26 depth 8', with or without the number before."""
         if not _CALLOUT.search(text):
             return text
-        told = [part for part in self._parts.values() if part.kind not in (*SURFACES, *_NO_NOUN, PartKind.BODY)]
+        told = [part for part in self._parts.values() if not (part.kind in _NO_LINE or is_bare_surface(part))]
         carried = carried_sections(told)  # lists leave these out
         groups: dict[str, tuple[str, ...]] = {}
         for parts in ([part for part in told if part.id not in carried], told):
