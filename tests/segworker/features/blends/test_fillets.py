@@ -131,3 +131,15 @@ def test_a_hole_through_a_chamfer_leaves_its_width() -> None:
     wedge = prism([(0, 0, 0), (40, 0, 0), (40, 0, 15), (35, 0, 20), (0, 0, 20)], (0, 60, 0))
     (chamfer,) = find(cut(wedge, cylinder(2, 20, (30, 30, 10), (1, 0, 1)))).of("chamfer")
     assert chamfer.width == pytest.approx(5 * math.sqrt(2) * MM)
+
+
+def test_a_notch_in_a_cut_corner_leaves_its_width() -> None:
+    sheet = extruded([(0, 0), (80, 0), (80, 47), (72, 55), (0, 55)], 0, 4)
+    notched = cut(sheet, turned(box((40, 5, 2), (70, -2.5, 0)), (0, 0, 1), math.degrees(math.atan2(51, 76))))
+    (chamfer,) = find(notched).of("chamfer")
+    assert chamfer.width == pytest.approx(8 * math.sqrt(2) * MM)
+
+
+def test_a_face_beside_an_end_of_two_slopes_is_no_chamfer() -> None:
+    lower, upper = (prism([(0, 0, z), (40, 0, z), (40, 0, z + 3), (0, 0, z + 3)], (6 + z, 12, 0)) for z in (0, 3))
+    assert not find(fuse(lower, upper)).of("chamfer")

@@ -13,7 +13,19 @@ from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, spread
-from querycad_segworker.vectors import Box, box_center, cross, dist, dot, line_distance, norm, parallel, scale, sub
+from querycad_segworker.vectors import (
+    ORIGIN,
+    Box,
+    box_center,
+    cross,
+    dist,
+    dot,
+    line_distance,
+    parallel,
+    span,
+    sub,
+    unit,
+)
 
 from .rolling_balls import RolledFace, rolled_face
 
@@ -170,10 +182,13 @@ def _chamfer(brep: Brep, face: FaceRecord) -> _Strip | None:
     else:
         return None
     sides = _slanted_sides(face, edges)
-    if len(sides) < 2:
+    pair = _long_sides(brep, face, sides)
+    if pair is None:
         return None
-    (first, second), length = sides[:2], (_length(sides[0]) + _length(sides[1])) / 2
-    width = _between(first[0], second[0]) or (face.area / length if length > 0 else math.inf)
+    (first, second), length = pair, (_length(pair[0]) + _length(pair[1])) / 2
+    width = _across(face, sides)
+    if width is None:
+        width = face.area / length if length > 0 else math.inf
     a, b = (_side(brep, face, edges_along) for edges_along in (first, second))
     if _length(second) < 0.5 * _length(first) or a.face.id == b.face.id:
         return None
@@ -214,11 +229,13 @@ def _shapes_body(
     return "it takes so much of the faces beside it that it shapes the body"
 
 
-def _between(a: EdgeRecord, b: EdgeRecord) -> float | None:
-    """How far is it across a strip, between its long edges, whatever pierces it? None unless straight or round."""
-    if a.kind is EdgeKind.LINE is b.kind:
-        across = sub(b.mid, a.mid)
-        return norm(sub(across, scale(a.direction, dot(across, a.direction))))
+def _across(face: FaceRecord, sides: Sequence[Sequence[EdgeRecord]]) -> float | None:
+    """How far is it from long edge to long edge of a strip, whatever pierces it? None unless straight or round."""
+    edges = [edge for side in sides for edge in side]
+    a, b = edges[0], sides[1][0]
+    if all(edge.kind is EdgeKind.LINE for edge in edges):
+        low, high = span((edge.mid for edge in edges), unit(cross(face.axis, a.direction)))
+        return high - low
     if a.kind is EdgeKind.CIRCLE is b.kind and a.center is not None and b.center is not None:
         return math.hypot(dist(a.center, b.center), (a.radius or 0.0) - (b.radius or 0.0))
     return None
@@ -238,6 +255,19 @@ def _slanted_sides(face: FaceRecord, edges: Sequence[EdgeRecord]) -> list[list[E
         if edge.convexity is EdgeConvexity.CONVEX and low <= edge.angle <= high:
             by_face[next(i for i in edge.faces if i != face.id)].append(edge)
     return sorted(by_face.values(), key=_length, reverse=True)
+
+
+def _long_sides(
+    brep: Brep, face: FaceRecord, sides: Sequence[list[EdgeRecord]]
+) -> tuple[list[EdgeRecord], list[EdgeRecord]] | None:
+    """The longest side and the longest one across from it: there a plane strip turns the other way."""
+
+    def turn(side: Sequence[EdgeRecord]) -> Vector:
+        beyond = brep.faces[next(i for i in side[0].faces if i != face.id)]
+        flat = beyond.kind is SurfaceKind.PLANE is face.kind
+        return cross(face.axis, beyond.axis) if flat else ORIGIN
+
+    return next(((sides[0], side) for side in sides[1:] if dot(turn(sides[0]), turn(side)) <= 0), None)
 
 
 def _length(edges: Sequence[EdgeRecord]) -> float:

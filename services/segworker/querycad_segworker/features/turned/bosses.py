@@ -242,7 +242,7 @@ def _boss(
     hole = _hole_in(holes, axis, wall, tip, base)
     bore_radius = None if hole is None else _bore_radius(holes[hole], axis, low, high)
     bored = 0.0 if hole is None else _bored(holes[hole], axis, low, high)
-    if high - low > SLENDER * 2 * wall.radius and bored <= HOLLOW * (high - low):
+    if stack.open_both and high - low > SLENDER * 2 * wall.radius and bored <= HOLLOW * (high - low):
         bore_radius = None  # a centre hole in its end makes no shaft hollow
     tags = _tags(stack, steps, step, high - low, bore_radius, bored, on_both=is_clasped(brep, axis, own))
     return Boss(
