@@ -143,3 +143,8 @@ def test_a_notch_in_a_cut_corner_leaves_its_width() -> None:
 def test_a_face_beside_an_end_of_two_slopes_is_no_chamfer() -> None:
     lower, upper = (prism([(0, 0, z), (40, 0, z), (40, 0, z + 3), (0, 0, z + 3)], (6 + z, 12, 0)) for z in (0, 3))
     assert not find(fuse(lower, upper)).of("chamfer")
+
+
+def test_a_v_groove_makes_no_chamfer_of_the_face_that_it_is_cut_into() -> None:
+    groove = prism([(-5, 0, 0), (5, 0, 0), (0, 0, -5)], (0, 30, 0))
+    assert not find(cut(box((80, 60, 20), (-40, 0, -20)), groove)).of("chamfer")

@@ -9,8 +9,10 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.tolerances import Tolerances, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, spread
 from querycad_segworker.vectors import (
@@ -186,7 +188,7 @@ def _chamfer(brep: Brep, face: FaceRecord) -> _Strip | None:
     if pair is None:
         return None
     (first, second), length = pair, (_length(pair[0]) + _length(pair[1])) / 2
-    width = _across(face, sides)
+    width = _across(brep, face, sides)
     if width is None:
         width = face.area / length if length > 0 else math.inf
     a, b = (_side(brep, face, edges_along) for edges_along in (first, second))
@@ -229,13 +231,18 @@ def _shapes_body(
     return "it takes so much of the faces beside it that it shapes the body"
 
 
-def _across(face: FaceRecord, sides: Sequence[Sequence[EdgeRecord]]) -> float | None:
-    """How far is it from long edge to long edge of a strip, whatever pierces it? None unless straight or round."""
+def _across(brep: Brep, face: FaceRecord, sides: Sequence[Sequence[EdgeRecord]]) -> float | None:
+    """How far is it from long edge to long edge of a strip, whatever pierces it? None unless straight or round.
+
+    Infinite where the face goes on beyond the edges: they bound no strip, but a slot in the face.
+    """
     edges = [edge for side in sides for edge in side]
     a, b = edges[0], sides[1][0]
     if all(edge.kind is EdgeKind.LINE for edge in edges):
-        low, high = span((edge.mid for edge in edges), unit(cross(face.axis, a.direction)))
-        return high - low
+        across = unit(cross(face.axis, a.direction))
+        low, high = span((edge.mid for edge in edges), across)
+        first, last = span(face_points(brep, (face.id,)), across)
+        return high - low if last - first <= ALIKE * (high - low) else math.inf
     if a.kind is EdgeKind.CIRCLE is b.kind and a.center is not None and b.center is not None:
         return math.hypot(dist(a.center, b.center), (a.radius or 0.0) - (b.radius or 0.0))
     return None
