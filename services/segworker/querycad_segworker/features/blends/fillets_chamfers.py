@@ -236,11 +236,10 @@ def _across(brep: Brep, face: FaceRecord, sides: Sequence[Sequence[EdgeRecord]])
 
     Infinite where the face goes on beyond the edges: they bound no strip, but a slot in the face.
     """
-    edges = [edge for side in sides for edge in side]
-    a, b = edges[0], sides[1][0]
-    if all(edge.kind is EdgeKind.LINE for edge in edges):
+    a, b = sides[0][0], sides[1][0]
+    if a.kind is EdgeKind.LINE is b.kind:
         across = unit(cross(face.axis, a.direction))
-        low, high = span((edge.mid for edge in edges), across)
+        low, high = span((edge.mid for side in sides for edge in side if _runs_alike(edge, a)), across)
         first, last = span(face_points(brep, (face.id,)), across)
         return high - low if last - first <= ALIKE * (high - low) else math.inf
     if a.kind is EdgeKind.CIRCLE is b.kind and a.center is not None and b.center is not None:
