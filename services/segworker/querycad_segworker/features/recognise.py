@@ -32,7 +32,7 @@ from .assemblies.bodies import (
 from .blends.fillets_chamfers import recognise_blends
 from .depressions.clevises import recognise_clevises
 from .depressions.depression import Depression, DepressionKind
-from .depressions.dimples import recognise_dimples
+from .depressions.dimples import Dimple, recognise_dimples
 from .depressions.recognise import recognise_depressions
 from .faces import likely_up
 from .holes.hole import Hole
@@ -78,7 +78,7 @@ from .protrusions.ribs import Rib, fins, recognise_lugs, recognise_ribs
 from .shared.clearance import Ahead, IsClear
 from .shared.merged_faces import United, united
 from .shared.refusals import gathering, left_refused, refuse
-from .shared.walls import walls
+from .shared.walls import Wall, walls
 from .sheet.body_thickness import with_body_thickness
 from .sheet.hollow_sections import beside_sections, recognise_hollow_sections
 from .sheet.material_thickness import NO_THICKNESS, Thickness
@@ -86,8 +86,8 @@ from .sheet.plates import recognise_plates, without_edgewise
 from .turned.bosses import Boss, recognise_bosses
 from .turned.gears import Gear, recognise_gears
 from .turned.grooves import TurnedGroove, recognise_turned_grooves
-from .turned.knurls import recognise_knurls
-from .turned.pipes import beside_pipes, ending_in_bends, recognise_pipes
+from .turned.knurls import Knurl, recognise_knurls
+from .turned.pipes import Pipe, beside_pipes, ending_in_bends, recognise_pipes
 from .turned.round_bodies import TurnedBody, tips_of, turned_body, with_free_tips
 
 T = TypeVar("T")
@@ -150,43 +150,41 @@ def _renumbered(ahead: Ahead, whole: United) -> Ahead:
     return renumbered
 
 
+@dataclass(frozen=True, slots=True)
+class _Round:
+    """What is round: the walls of the model about axes, and what they make."""
+
+    walls: list[Wall]
+    holes: list[Hole]
+    pipes: list[Pipe]
+    bosses: list[Boss]
+    knurls: list[Knurl]
+    gears: list[Gear]
+
+    @property
+    def taken(self) -> set[int]:
+        """The faces of holes, bosses and pipes."""
+        return {face for own in (self.holes, self.bosses, self.pipes) for record in own for face in record.faces}
+
+
 def _parts(
     brep: Brep, shape: Shape, tolerances: Tolerances, is_clear: IsClear, volumes: Volumes, thickness: Thickness
 ) -> list[Part]:
     """All parts, made of faces of `brep`."""
-    found_walls = walls(brep, tolerances)
-    cylinders = [wall for wall in found_walls if wall.kind is SurfaceKind.CYLINDER]
-    holes = recognise_holes(brep, found_walls, tolerances, is_clear)
-    pipes = recognise_pipes(brep, found_walls, tolerances)
-    holes = ending_in_bends(holes, pipes)
-    bosses = with_free_tips(recognise_bosses(brep, found_walls, holes, tolerances), is_clear, dist(*brep.box))
+    round_ = _round(brep, tolerances, is_clear)
+    holes, pipes, bosses, gears = round_.holes, round_.pipes, round_.bosses, round_.gears
+    cylinders = [wall for wall in round_.walls if wall.kind is SurfaceKind.CYLINDER]
     hole_parts = _numbered(brep, holes, hole_part)
-    round_faces = {face for own in (holes, bosses, pipes) for record in own for face in record.faces}
-    hole_faces = {face for hole in holes for face in hole.faces}
-    dimples = recognise_dimples(brep, hole_faces)
-    blends = recognise_blends(brep, round_faces, tolerances)
+    dimples = recognise_dimples(brep, {face for hole in holes for face in hole.faces})
+    blends = recognise_blends(brep, round_.taken, tolerances)
     chamfers = {face for blend in blends if blend.kind == "chamfer" for face in blend.faces}
     blend_faces = {face for blend in blends for face in blend.faces}
+    pointed = {face for knurl in round_.knurls for face in knurl.faces}
     ribs = recognise_ribs(brep, tolerances)
-    knurls = recognise_knurls(brep, found_walls, tolerances)
-    pointed = {face for knurl in knurls for face in knurl.faces}
-    gears = [gear for gear in recognise_gears(brep, found_walls, tolerances) if pointed.isdisjoint(gear.faces)]
     fin_numbers = {i + 1 for i in fins(ribs, tolerances)}
-    balls = [frozenset(dimple.faces) for dimple in dimples]
-    depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
-    depressions = _outside("cutout", depressions, balls, "it is what a ball leaves")
-    depressions = [
-        cut for cut in depressions if cut.kind is not DepressionKind.STEP or not chamfers.issuperset(cut.faces)
-    ]
-    depressions += recognise_clevises(brep, recognise_lugs(brep, tolerances), depressions, is_clear)
-    # Gaps between teeth and turns of a thread are no slots and grooves of their own, points of a knurl no chamfers.
-    toothed = [*(frozenset(gear.faces) for gear in gears), *(frozenset(knurl.faces) for knurl in knurls)]
-    blends = [found for found in blends if not pointed.issuperset(found.faces)]
-    depressions = _outside("slot", depressions, toothed, "it is the gap between two teeth")
-    threads = [frozenset(hole.faces) for hole in holes if "threaded" in hole.tags]
-    grooves = _not_voids(recognise_turned_grooves(brep, found_walls, tolerances), depressions)
-    grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
-    standing_out = _standing_out(brep, round_faces, ribs, chamfers, tolerances)
+    depressions = _cut_in(brep, round_, dimples, chamfers, tolerances, is_clear)
+    grooves = _turned_in(brep, round_, depressions, tolerances)
+    standing_out = _standing_out(brep, round_.taken, ribs, chamfers, tolerances)
     prisms = standing_out.prisms
     sections = recognise_hollow_sections(brep, depressions)
     flat_walls = with_fins(
@@ -210,14 +208,14 @@ def _parts(
         *_numbered(brep, standing_out.arms, arm_part),
         *_numbered(brep, sections, hollow_section_part),
         *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if not is_in_wall(r, flat_walls)),
-        *_numbered(brep, recognise_bent_arcs(brep, found_walls, tolerances), bent_arc_part),
+        *_numbered(brep, recognise_bent_arcs(brep, round_.walls, tolerances), bent_arc_part),
         *_numbered(brep, [wall for wall in flat_walls if "fin" not in wall.tags], flat_wall_part),
-        *_numbered(brep, blends, blend_part),
+        *_numbered(brep, [found for found in blends if not pointed.issuperset(found.faces)], blend_part),
         *_numbered(brep, [wall for wall in cylinders if wall.encloses], cylinder_part),
         *_numbered(brep, [w for w in cylinders if not w.encloses and not blend_faces.issuperset(w.faces)], arc_part),
-        *surface_parts(brep, found_walls, edges),
+        *surface_parts(brep, round_.walls, edges),
         *_numbered(brep, gears, gear_part),
-        *_numbered(brep, knurls, knurl_part),
+        *_numbered(brep, round_.knurls, knurl_part),
         *(tooth for n, gear in enumerate(gears, start=1) for tooth in tooth_parts(brep, gear, n)),
     ]
     parts += region_parts(brep, parts, volumes, tolerances)
@@ -225,14 +223,8 @@ def _parts(
     bearings = recognise_bearings(brep, tolerances)
     turned = _turned(brep, bosses, holes, gears)
     bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
-    bodies = with_body_thickness(
-        bodies,
-        brep,
-        prisms,
-        turned,
-        sides_of_boxes(flat_walls) | besides_fins(thickness.bodies, flat_walls),
-        thickness.least,
-    )
+    walled = sides_of_boxes(flat_walls) | besides_fins(thickness.bodies, flat_walls)
+    bodies = with_body_thickness(bodies, brep, prisms, turned, walled, thickness.least)
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     shown = _numbered(brep, bearings, bearing_part, bodies)
     parts = [*with_bearing_bores(parts, brep, bearings), *bodies, *shown, model_part(brep, shape, _only(bodies))]
@@ -240,6 +232,45 @@ def _parts(
     parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
     parts += [*crossbars(parts, brep), *plane_face_parts(brep, parts, tolerances)]
     return with_relations(parts, shape, brep)
+
+
+def _round(brep: Brep, tolerances: Tolerances, is_clear: IsClear) -> _Round:
+    """Holes, pipes, bosses and what is toothed."""
+    found = walls(brep, tolerances)
+    pipes = recognise_pipes(brep, found, tolerances)
+    holes = ending_in_bends(recognise_holes(brep, found, tolerances, is_clear), pipes)
+    bosses = with_free_tips(recognise_bosses(brep, found, holes, tolerances), is_clear, dist(*brep.box))
+    knurls = recognise_knurls(brep, found, tolerances)
+    pointed = {face for knurl in knurls for face in knurl.faces}
+    gears = [gear for gear in recognise_gears(brep, found, tolerances) if pointed.isdisjoint(gear.faces)]
+    return _Round(found, holes, pipes, bosses, knurls, gears)
+
+
+def _cut_in(
+    brep: Brep,
+    round_: _Round,
+    dimples: Sequence[Dimple],
+    chamfers: Set[int],
+    tolerances: Tolerances,
+    is_clear: IsClear,
+) -> list[Depression]:
+    """Depressions; what a ball leaves is none, nor are chamfers steps, nor gaps between teeth slots of their own."""
+    hole_faces = {face for hole in round_.holes for face in hole.faces}
+    found = recognise_depressions(brep, hole_faces, tolerances, is_clear, round_.walls)
+    found = _outside("cutout", found, [frozenset(dimple.faces) for dimple in dimples], "it is what a ball leaves")
+    found = [cut for cut in found if cut.kind is not DepressionKind.STEP or not chamfers >= set(cut.faces)]
+    found += recognise_clevises(brep, recognise_lugs(brep, tolerances), found, is_clear)
+    toothed = [frozenset(record.faces) for own in (round_.gears, round_.knurls) for record in own]
+    return _outside("slot", found, toothed, "it is the gap between two teeth")
+
+
+def _turned_in(
+    brep: Brep, round_: _Round, depressions: Sequence[Depression], tolerances: Tolerances
+) -> list[TurnedGroove]:
+    """Turned grooves; the turns of a thread are none of their own."""
+    threads = [frozenset(hole.faces) for hole in round_.holes if "threaded" in hole.tags]
+    grooves = _not_voids(recognise_turned_grooves(brep, round_.walls, tolerances), depressions)
+    return _outside("groove", grooves, threads, "it is a turn of a thread")
 
 
 @dataclass(frozen=True, slots=True)

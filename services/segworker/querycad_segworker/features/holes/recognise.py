@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from querycad_contracts import Bottom, SurfaceKind
 from querycad_segworker.features.depressions.windows import recognise_windows
@@ -33,7 +33,7 @@ from .ends import (
     opens_high,
     round_mouth,
 )
-from .hole import RIM, Hole, SectionKind
+from .hole import RIM, Hole, Section, SectionKind
 from .inline_bores import united_through_walls
 from .sections import THREAD_WIDTH, different_radii, is_fine, over_grooves, sections_of, tags_of, without_ring_thread
 
@@ -115,9 +115,10 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
     else:
         high = opens_high(stack) if open_both else stack.high_end is End.OPEN
     inwards = sorted(stack.walls, key=lambda w: wall_range(axis, w), reverse=high)
+    point = drill_point(stack, high)
+    form = _form(inwards, stack, high, point, tolerances)
     mouth = mouth_rounding(brep, stack, high)
     far = mouth_rounding(brep, stack, not high) if open_both else None
-    point = drill_point(stack, high)
     top, end = _ends(brep, stack, high, open_both, [w for w in inwards if w is not point] or inwards)
     pierced = bores.pierced(stack, not high) if (inside_low if high else inside_high) else None
     if pierced is not None:
@@ -126,60 +127,78 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
         top = (max if high else min)(top, mouth[1])
     if far is not None:
         end = (min if high else max)(end, far[1])
-    stretches = over_grooves(inwards, axis, tolerances)
-    sections = sections_of(stretches, axis, high, open_both, point, tolerances)
-    spotface = {f for s in sections if s.kind is SectionKind.SPOTFACE for f in s.faces}
-    cylinders = [w for w in stretches if w.kind is SurfaceKind.CYLINDER]
-    steps = different_radii([w.radius for w in cylinders if spotface.isdisjoint(w.faces)], tolerances)
-    pitch = next((w.pitch for w in stack.walls if w.pitch is not None), None)
-    bare = without_ring_thread(steps, tolerances) if is_fine(cylinders, axis) else None
-    threaded = bare is not None or pitch is not None
-    if bare is not None:
-        steps = bare
-        sections = tuple(s for s in sections if s.radius >= THREAD_WIDTH * min(bare))
-    bore = min(
-        (w.radius for w in cylinders), default=min(min(w.radius_low, w.radius_high) or w.radius for w in inwards)
-    )
     floor = () if open_both else closing_faces(brep, stack, not high)
     ball = ball_below(brep, stack, not high) if not open_both else None
     if ball is not None:
         floor, end = (ball.face,), ball.end
-    faces = stack.faces | set(stack.shoulders)
-    faces |= {face for rounding in (mouth, far) if rounding is not None for face in rounding[0]}
-    faces |= {f for f in floor if is_floor(brep, f, axis, bore if not cylinders else inwards[-1].radius)}
     flats = flats_of(brep, stack)
-    faces.update(flats)
-    crosses = (inside_low if high else inside_high) or (inside_low and inside_high)
-    pointed = not open_both and not floor and is_pointed(stack, not high)
-    if pointed:
+    faces = {*stack.faces, *stack.shoulders, *flats}
+    faces |= {face for rounding in (mouth, far) if rounding is not None for face in rounding[0]}
+    faces |= {f for f in floor if is_floor(brep, f, axis, inwards[-1].radius if form.cylinders else form.bore)}
+    if not open_both and not floor and is_pointed(stack, not high):
         floor = inwards[-1].faces
-    bottom = bottom_of(brep, floor, point) if not open_both else Bottom.BORE if crosses else Bottom.THROUGH
-    oblique = oblique_mouth(brep, stack, high) is not None
     core = None if open_both else core_of(brep, floor, axis, end, abs(top - end))
     faces.update(core[1] if core is not None else ())
+    crosses = (inside_low if high else inside_high) or (inside_low and inside_high)
+    bottom = bottom_of(brep, floor, point) if not open_both else Bottom.BORE if crosses else Bottom.THROUGH
+    said = {
+        "threaded": form.threaded,
+        "rounded": mouth is not None,
+        "oblique": oblique_mouth(brep, stack, high) is not None,
+        "d_shaped": bool(flats),
+        "double_d": len(flats) == 2,
+    }
     return Hole(
         opening=axis.at(top),
         far_opening=axis.at(end) if open_both else None,
         normal=axis.direction if high else scale(axis.direction, -1.0),
         center=axis.at((top + end) / 2),
-        radius=bore,
+        radius=form.bore,
         opening_radius=mouth[2] if mouth else radius_at(axis, inwards[0], high),
-        steps=steps,
+        steps=form.steps,
         depth=abs(top - end),
         bottom=bottom,
-        tags=({Bottom.THROUGH: "through", Bottom.BORE: "cross"}.get(bottom, "blind"),)
-        + tags_of(sections, steps)
-        + (("threaded",) if threaded else ())
-        + (("rounded",) if mouth is not None else ())
-        + (("oblique",) if oblique else ())
-        + (("d_shaped",) if flats else ())
-        + (("double_d",) if len(flats) == 2 else ()),
+        tags=(
+            {Bottom.THROUGH: "through", Bottom.BORE: "cross"}.get(bottom, "blind"),
+            *tags_of(form.sections, form.steps),
+            *(tag for tag, is_so in said.items() if is_so),
+        ),
         faces=tuple(sorted(faces)),
         body=stack.walls[0].body,
-        sections=sections,
-        pitch=pitch,
+        sections=form.sections,
+        pitch=form.pitch,
         core_radius=core[0] if core is not None else None,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Form:
+    """What the walls of a hole make along its axis. Metres."""
+
+    cylinders: list[Wall]
+    sections: tuple[Section, ...]
+    steps: tuple[float, ...]
+    bore: float
+    """The radius of the narrowest cylinder, or cone end."""
+    threaded: bool
+    pitch: float | None
+
+
+def _form(inwards: Sequence[Wall], stack: Stack, high: bool, point: Wall | None, tolerances: Tolerances) -> _Form:
+    """Sections and steps from the opening inwards, those of a thread as one bore; `high`: it opens at the high end."""
+    stretches = over_grooves(inwards, stack.axis, tolerances)
+    sections = sections_of(stretches, stack.axis, high, stack.open_both, point, tolerances)
+    spotface = {f for s in sections if s.kind is SectionKind.SPOTFACE for f in s.faces}
+    cylinders = [w for w in stretches if w.kind is SurfaceKind.CYLINDER]
+    steps = different_radii([w.radius for w in cylinders if spotface.isdisjoint(w.faces)], tolerances)
+    pitch = next((w.pitch for w in stack.walls if w.pitch is not None), None)
+    bare = without_ring_thread(steps, tolerances) if is_fine(cylinders, stack.axis) else None
+    if bare is not None:
+        sections = tuple(s for s in sections if s.radius >= THREAD_WIDTH * min(bare))
+    ends = [min(w.radius_low, w.radius_high) or w.radius for w in inwards]
+    bore = min((w.radius for w in cylinders), default=min(ends))
+    threaded = bare is not None or pitch is not None
+    return _Form(cylinders, sections, steps if bare is None else bare, bore, threaded, pitch)
 
 
 def _ends(brep: Brep, stack: Stack, high: bool, open_both: bool, inwards: Sequence[Wall]) -> tuple[float, float]:
