@@ -9,7 +9,7 @@ from tests.llm_sandbox.conftest import FakePartFinder
 
 from querycad_contracts import RunStatus
 from querycad_sandbox import Sandbox
-from querycad_sandbox.check import CHECKS_PER_SESSION, TypeChecker
+from querycad_sandbox.check import CHECKS_PER_SESSION, MODULES, TypeChecker
 
 
 @pytest.fixture(scope="module")
@@ -25,6 +25,24 @@ def test_the_nearest_attribute_is_told(checker: TypeChecker) -> None:
     assert problem == "line 1: Object of type `Part` has no attribute `diametre`, perhaps `diameter` is meant"
     (problem,) = checker.problems('solution = find_parts("hole")[0].xyzzy')
     assert problem.endswith("has no attribute `xyzzy`")
+    (problem,) = checker.problems('solution = find_parts("hole")[0].position')
+    assert problem.endswith("has no attribute `position`, perhaps `center` is meant")
+    (problem,) = checker.problems("solution = find_holes()")
+    assert problem.endswith("used when not defined, perhaps `find_parts` is meant")
+
+
+def test_parts_that_are_sought_on_an_object_are_told_with_their_call(checker: TypeChecker) -> None:
+    (problem,) = checker.problems("solution = len(shape.holes)")
+    assert problem.endswith("has no attribute `holes`: parts(kind='hole') gives those of the model")
+    (problem,) = checker.problems("solution = len(shape.wombats)")
+    assert problem.endswith("has no attribute `wombats`")
+
+
+def test_a_module_that_is_not_there_is_told_with_those_that_are(checker: TypeChecker, sandbox: Sandbox) -> None:
+    (problem,) = checker.problems("import numpy as np")
+    assert problem.endswith("module `numpy`; there are math, re, itertools, functools, collections")
+    outcome = sandbox.run(f"import {', '.join(MODULES)}\nsolution = 1", FakePartFinder())
+    assert outcome.value == 1
 
 
 @pytest.mark.parametrize(

@@ -271,6 +271,16 @@ def test_an_answer_of_a_type_is_no_absent_measure(sandbox: Sandbox, finder: Fake
     assert outcome.missing_attribute == MissingAttribute(part="slot-1", attribute="radius")
 
 
+def test_a_value_that_is_none_for_want_of_a_measure_says_so_and_another_none_does_not(
+    sandbox: Sandbox, finder: FakePartFinder
+) -> None:
+    lacking = sandbox.run('solution = find_parts("slot")[0].radius', finder)
+    assert (lacking.status, lacking.value) == (RunStatus.OK, None)
+    assert lacking.message.startswith("the result lacks a measure: part 'slot-1' has no radius; it has bottom, ")
+    own = sandbox.run("solution = None", finder)
+    assert (own.status, own.value, own.message) == (RunStatus.OK, None, "")
+
+
 def test_a_failing_line_is_told_with_its_number(sandbox: Sandbox, finder: FakePartFinder) -> None:
     code = '\nparts = find_parts("slot")\nsolution = [2 * p.radius for p in parts]'
     assert sandbox.run(code, finder).message.endswith("(line 3: solution = [2 * p.radius for p in parts])")
@@ -290,9 +300,19 @@ def test_a_failing_line_is_told_with_its_number(sandbox: Sandbox, finder: FakePa
         ('find_parts("hole", sides={"top": 1})', "TypeError: find_parts() takes its sides as a list"),
         (
             'find_parts("hole")[0].distance_to("hole-2")',
-            "TypeError: distance_to() takes a part that find_parts returned",
+            "TypeError: distance_to() takes a part; offset(a, b) takes faces too",
         ),
         ('find_parts("hole")[0].angle_to(find_parts("face")[0].id)', "TypeError: angle_to() takes a part"),
+        ('find_parts("hole")[0].distance_to(faces()[0])', "TypeError: distance_to() takes a part; offset(a, b)"),
+        ('find_parts("hole")[0].edge_distance', "AttributeError: edge_distance is called: edge_distance(…)"),
+        (
+            'set(find_parts("hole"))',
+            "TypeError: cannot use 'Part' as a set element (unhashable type: 'Part'); use its .id, or a list",
+        ),
+        (
+            'sorted(find_parts("hole"))',
+            "TypeError: '<' not supported between instances of 'Part' and 'Part'; compare a measure: key=lambda one:",
+        ),
         ('find_parts("hole")[0].edge_distance(*[1])', "TypeError: edge_distance() takes no arguments"),
         ('find_parts("hole")[0].distance_to(*[])', "TypeError: distance_to() takes one other part"),
         ('find_parts("hole")[0].distance_to(**{"part": 1})', "TypeError: distance_to() takes no argument 'part'"),

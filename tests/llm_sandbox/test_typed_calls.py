@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from tests.llm_sandbox.conftest import FakePartFinder, make_face, make_part
 
-from querycad_contracts import Face, Outline, Part, RunStatus
+from querycad_contracts import Face, Outline, Part, RunStatus, Vector
 from querycad_sandbox import Sandbox
 from querycad_sandbox.measures import face_frame, openings_of, part_frame
 from querycad_sandbox.rewriting import rewritten
@@ -154,6 +154,26 @@ def test_holes_on_a_circle_are_around_its_middle_in_order(sandbox: Sandbox, find
     assert ["hole-1", "hole-3", "hole-2", "hole-4"] in turns or ["hole-1", "hole-4", "hole-2", "hole-3"] in turns
 
 
+@pytest.mark.parametrize(
+    ("center", "axis", "apart"),
+    [
+        ((0.5, 0.03, 0.7), (1.0, 0.0, 0.0), 0.01),
+        ((0.5, 0.03, 0.7), (0.8, 0.0, 0.6), 0.01),
+        ((0.5, 0.02, 0.7), (1.0, 0.0, 0.0), 0.0),
+        ((0.02, 0.05, 0.7), (0.0, 0.6, 0.8), 0.0),
+        ((0.05, 0.06, 0.7), (0.0, 0.0, -1.0), 0.05),
+    ],
+)
+def test_axes_that_are_not_parallel_are_apart_by_what_is_square_to_both(
+    sandbox: Sandbox, finder: FakePartFinder, center: Vector, axis: Vector, apart: float
+) -> None:
+    finder.known = [make_part("hole-1", axis=UP, center=(0.02, 0.02, 0.0))]
+    finder.known.append(make_part("boss-1", axis=axis, center=center))
+    for pair in ("a, b", "b, a"):
+        code = f"a, b = parts(kind='hole')[0], parts(kind='boss')[0]\nsolution = offset({pair})"
+        assert value(sandbox, finder, code) == pytest.approx(apart, abs=1e-12)
+
+
 def test_a_rounded_corner_has_the_axis_of_its_faces_where_they_share_one(
     sandbox: Sandbox, finder: FakePartFinder, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -203,7 +223,15 @@ def test_what_is_asked_of_parts_and_faces(sandbox: Sandbox, finder: FakePartFind
         ("faces(facing='up')", "ValueError: no facing is called 'up': use top"),
         ("faces(coaxial_with=parts(kind='slot')[0])", "ValueError: part 'slot-1' has no axis"),
         ("faces(body='plate')", "TypeError: body takes one of shape.bodies, or its id"),
-        ("offset(parts(kind='slot')[0], parts(kind='hole')[0])", "ValueError: offset() takes two that are parallel"),
+        (
+            "offset(parts(kind='slot')[0], parts(kind='hole')[0])",
+            "ValueError: offset() takes two axes, two parallel planes, or a plane and an axis along it; these are: "
+            "axis along (0, 0, 1) and plane square to (0, 0, 1)",
+        ),
+        (
+            "offset(parts(kind='body')[0], parts(kind='hole')[0])",
+            "ValueError: offset() takes two axes, two parallel planes, or a plane and an axis along it; one of these",
+        ),
         ("coaxial(1, 2)", "TypeError: this takes parts or faces, not int"),
         ("outermost(parts(), 'up')", "ValueError: no side is called 'up'"),
         ("parts(kind='hole')[0].size_in(3)", "TypeError: size_in() takes a frame, such as part.frame"),

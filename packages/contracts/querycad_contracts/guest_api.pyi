@@ -7,7 +7,8 @@ A measure that an object does not have is None, or AttributeError in a program t
 name that is none of the API always is.
 
 Python's own builtins are there, `print` among them, but for open, input, eval, exec, globals and what else reaches out;
-`math` and `re` can be imported. What a program prints is kept beside its result.
+math, re, itertools, functools and collections can be imported. What a program prints is kept beside its result.
+Parts and faces are equal where they are the same, but go into no set and are no key: their ids do.
 """
 
 from typing import Literal, TypeAlias, TypedDict
@@ -391,7 +392,9 @@ def adjacent(a: Item, b: Item) -> bool:
     ...
 
 def offset(a: Item, b: Item) -> float:
-    """Between parallel planes or axes. Or a plane and an axis along it; else ValueError.
+    """Between two axes or parallel planes. Or a plane and an axis along it; else ValueError.
+
+    Of axes that are not parallel it is their least distance, 0 where they cross.
 
     Example: offset(faces(facing="top")[0], faces(facing="bottom")[0])
     """

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
+from .geometry import PartKind
+
 
 @dataclass(frozen=True, slots=True)
 class GuestName:
@@ -122,7 +124,8 @@ def guest_api_prompt() -> str:
     """The guest API as a language model is told of it: the stubs without what only a type checker needs."""
     lines = [line for line in guest_api_text().splitlines() if not line.startswith(("from typing import", "import "))]
     kept = [line for line in lines if line.strip() != "..."]
-    return "\n".join(_without_double_blanks(kept)).replace(": TypeAlias =", " =").strip() + "\n"
+    stubs = "\n".join(_without_double_blanks(kept)).replace(": TypeAlias =", " =").strip()
+    return f"{stubs}\n\n# {_KINDS} {', '.join(PartKind)}.\n"
 
 
 def guest_api_markdown() -> str:
@@ -131,6 +134,7 @@ def guest_api_markdown() -> str:
     lines = ["# The guest API", "", *_GENERATED, "", api.description, ""]
     lines += ["## Names", "", "| name | what it is |", "|---|---|"]
     lines += [_row(each) for each in (*api.variables, *api.functions, *api.types)]
+    lines += ["", f"{_KINDS} {', '.join(f'`{kind}`' for kind in PartKind)}."]
     for kind in api.classes:
         lines += ["", f"## {kind.name}", "", kind.description, "", "| attribute | meaning |", "|---|---|"]
         lines += [_row(each) for each in kind.attributes]
@@ -139,6 +143,7 @@ def guest_api_markdown() -> str:
     return "\n".join(lines) + "\n"
 
 
+_KINDS = "Kinds of parts, which measures.md defines; a model has some of them:"
 _GENERATED = (
     "All that a program which answers a question sees. Written by `python -m querycad_contracts.guest_reference` from",
     "[guest_api.pyi](../packages/contracts/querycad_contracts/guest_api.pyi), what programs are checked against.",

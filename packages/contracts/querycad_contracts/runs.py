@@ -145,7 +145,9 @@ class RunOutcome(Frozen):
         None,
         description="`solution` as plain data: None, bool, int, float, str, nested lists; a part is {'part': id}.",
     )
-    message: str = Field("", description="Why it did not end well, for the user and for a repair prompt.")
+    message: str = Field(
+        "", description="Why it did not end well, or for want of which measure it gave None: for users and repairs."
+    )
     missing_attribute: MissingAttribute | None = Field(
         None,
         description="The measure that was not there, for want of which it ended or gave None.",

@@ -33,6 +33,7 @@ from pydantic import Field, ValidationError
 from querycad_answering.answering import SURE
 from querycad_answering.drawing.callouts import callouts, ids_text
 from querycad_answering.drawing.writing import written
+from querycad_answering.llm.hints import hint
 from querycad_contracts import (
     LengthUnit,
     Measure,
@@ -372,13 +373,14 @@ def _add_comparing(tool: Callable[[Callable[..., Any]], Any], session: Session) 
     ) -> Ran:
         """Run a short program over the model's parts and faces in a sandbox: no files, no network, SI units."""
         came = session.model(model).run(code)
-        following = "" if came.status is RunStatus.OK else "fix the program; querycad://guest-api lists what there is"
+        more = hint(came.message, came.missing_attribute)
+        wrong = f"fix the program; querycad://guest-api lists what there is. {more}".strip()
         return Ran(
             status=came.status,
             value=came.value,
             message=came.message,
             printed=came.printed[:PRINTED_CHARS],
-            next=following,
+            next="" if came.status is RunStatus.OK else wrong,
         )
 
 

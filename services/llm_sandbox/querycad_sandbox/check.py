@@ -6,7 +6,6 @@ import ast
 import re
 import secrets
 from dataclasses import dataclass
-from difflib import get_close_matches
 from importlib.resources import files
 from queue import Empty, LifoQueue
 from threading import BoundedSemaphore
@@ -14,6 +13,7 @@ from typing import Final
 
 from pydantic_monty import Monty, MontyCrashedError, MontyError, MontySession, MontySyntaxError, MontyTypingError
 
+from querycad_contracts.guest_names import meant_attribute, meant_function, meant_kind
 from querycad_contracts.guest_reference import guest_api, guest_api_text, syntax_of
 
 SCRIPT: Final = "program.py"
@@ -45,11 +45,12 @@ REFUSED_RULES: Final = frozenset(
 """The checker's rules that say: this fails whatever the values are. The rest is left to the run: a wrong annotation
 harms nothing, and the guest API checks its own arguments and says more clearly what it wanted."""
 
+MODULES: Final = ("math", "re", "itertools", "functools", "collections")
+"""Those that programs are told of: all that they need to compute with, of what the interpreter has."""
 _FUNCTIONS: Final = frozenset(function.name for function in guest_api().functions)
-_ATTRIBUTES: Final = {
-    each.name: [one.name for one in (*each.attributes, *each.methods)] for each in guest_api().classes
-}
 _NO_ATTRIBUTE: Final = re.compile(r"Object of type `(\w+)` has no attribute `(\w+)`")
+_NO_NAME: Final = re.compile(r"Name `(\w+)` used when not defined")
+_NO_MODULE: Final = re.compile(r"Cannot resolve imported module")
 _DIAGNOSTIC: Final = re.compile(rf"^{re.escape(SCRIPT)}:(\d+):\d+: (\w+)\[([\w-]+)\] (.*)$")
 _UNCERTAIN: Final = re.compile(r"`None`| \| | in union |Literal\[[^]]*,")
 """A value that may be None, or one of several types, may well be the right one when the program gets there."""
@@ -159,10 +160,19 @@ class TypeChecker:
 
 
 def _meant(message: str) -> str:
-    """Which name of the guest API is nearest to one that does not exist? As ', perhaps `color` is meant'."""
-    named = _NO_ATTRIBUTE.match(message)
-    near = get_close_matches(named[2], _ATTRIBUTES.get(named[1], ()), 1) if named is not None else []
-    return f", perhaps `{near[0]}` is meant" if near else ""
+    """What to write instead of a name that does not exist? As ', perhaps `color` is meant'; else empty."""
+    if _NO_MODULE.match(message):
+        return f"; there are {', '.join(MODULES)}"
+    if unknown := _NO_NAME.match(message):
+        near = meant_function(unknown[1])
+    elif missing := _NO_ATTRIBUTE.match(message):
+        near = meant_attribute(missing[1], missing[2])
+        kind = meant_kind(missing[2])
+        if not near and kind is not None and missing[1] in ("Shape", "Body", "Part"):
+            return f": parts(kind={kind.value!r}) gives those of the model"
+    else:
+        return ""
+    return f", perhaps `{near}` is meant" if near else ""
 
 
 def _apart(code: str) -> str:

@@ -132,5 +132,7 @@ def _show(outcome: RunOutcome, out: TextIO, *, as_json: bool) -> None:
         out.write(outcome.model_dump_json() + "\n")
     elif outcome.status is RunStatus.OK:
         out.write(f"{outcome.value}\n")
+        if outcome.message:
+            sys.stderr.write(f"querycad: {outcome.message}\n")
     else:
         sys.stderr.write(f"querycad: {outcome.status.value}: {outcome.message}\n")

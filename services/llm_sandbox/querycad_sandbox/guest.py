@@ -132,7 +132,9 @@ class View(ClassInstance):
 
     def lacks(self, name: str) -> Absence:
         """What to say of a measure that the object does not have?"""
-        text = f"{_noun(self.value)} has no {name}; it has {', '.join(sorted(self.measures))}"
+        has = ", ".join(sorted(self.measures))
+        is_method = isinstance(self.value, Part) and name in PART_METHODS
+        text = f"{name} is called: {name}(…)" if is_method else f"{_noun(self.value)} has no {name}; it has {has}"
         return _absence(self.value, name, text)
 
 
@@ -152,7 +154,7 @@ class PartView(View):
             told = "one frame" if kind is LocalFrame else "one other part" if wanted else "no arguments"
             raise TypeError(f"{name}() takes {told}")
         if not all(isinstance(other, kind) for other in others):
-            told = "a frame, such as part.frame" if kind is LocalFrame else "a part that find_parts returned"
+            told = "a frame, such as part.frame" if kind is LocalFrame else "a part; offset(a, b) takes faces too"
             raise TypeError(f"{name}() takes {told}")
         if name == "measures":
             return sorted(self.measures)
@@ -443,8 +445,7 @@ class Guest:
         return self._face_views[face.id]
 
     def _plain_view(self, value: LocalFrame | Opening) -> View:
-        measures = frame_measures(value) if isinstance(value, LocalFrame) else opening_measures(value)
-        return View(self, value, measures)
+        return View(self, value, frame_measures(value) if isinstance(value, LocalFrame) else opening_measures(value))
 
     def _faces_of(self, value: object) -> tuple[Face, ...]:
         if isinstance(value, Face):

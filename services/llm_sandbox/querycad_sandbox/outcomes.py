@@ -24,6 +24,14 @@ _EMPTY: Final[dict[type[BaseException], tuple[str, ...]]] = {
 }
 """What the interpreter says where a program chooses among too few: the largest of none, the second of one."""
 _NO_CALLBACK: Final = re.compile(r"(?:method|function) call .* cannot suspend in this synchronous context")
+_SEEN: Final = "(?:Part|Face|Body|Shape|Frame|Opening)"
+_WAYS: Final = {
+    re.compile(rf"unhashable type: '{_SEEN}'"): "; use its .id, or a list",
+    re.compile(rf"'[<>]=?' not supported between instances of '{_SEEN}' and '{_SEEN}'"): (
+        "; compare a measure: key=lambda one: one.diameter"
+    ),
+}
+"""What to do instead where objects of the guest API are used as none of them can be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,8 +78,10 @@ def _absence(cause: BaseException, text: str, guest: Guest) -> Absence | None:
 
 
 def _explained(cause: BaseException, text: str) -> str:
+    told = next((way for pattern, way in _WAYS.items() if pattern.search(text)), "")
     if isinstance(cause, NotImplementedError) and _NO_CALLBACK.fullmatch(text):
-        text = f"{text}: measure first, in a list, then sort"
+        told = ": measure first, in a list, then sort"
+    text = f"{text}{told}"
     return f"{type(cause).__name__}: {text[:TEXT_CHARS]}"
 
 

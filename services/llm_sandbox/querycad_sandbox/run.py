@@ -114,8 +114,8 @@ class Run:
             raise RunEndedError(RunStatus.REFUSED, f"the result in `{RESULT}` {unfit}{wanted}") from None
         absence = self.guest.absence
         if absence is not None and any(each is None for each in _walk(self.value, MAX_DEPTH)):
-            lacking = Ending(RunStatus.RAISED, f"the result lacks a measure: {absence.text}", absence.missing)
-            self.ending = lacking if expects is not None else Ending(RunStatus.OK, "", absence.missing)
+            status = RunStatus.RAISED if expects is not None else RunStatus.OK
+            self.ending = Ending(status, f"the result lacks a measure: {absence.text}", absence.missing)
 
     def outcome(self, duration_ms: float) -> RunOutcome:
         """The run as the contract has it."""

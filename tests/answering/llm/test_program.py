@@ -154,12 +154,3 @@ def test_of_a_measure_that_a_program_ended_for_want_of_the_name_that_was_meant_i
 
 def test_nothing_is_added_where_nothing_more_is_known() -> None:
     assert hint("ZeroDivisionError: division by zero (line 1: solution = 1 / 0)") == ""
-
-
-def test_every_name_that_hints_lead_to_exists() -> None:
-    from querycad_answering.llm.hints import _names
-    from querycad_answering.llm.reference import attributes, functions
-
-    known = {name for names in attributes().values() for name in names}
-    assert set(_names()["attributes"]) <= known
-    assert set(_names()["functions"]) <= set(functions())

@@ -5,12 +5,11 @@ The patterns read the interpreter and its type checker, which say in words alone
 
 from __future__ import annotations
 
-import difflib
 import re
 
 from querycad_contracts import MissingAttribute
+from querycad_contracts.guest_names import meant_attribute, meant_function
 
-from .files import prompt_data
 from .reference import attributes, functions
 
 _MISSING = re.compile(r"(?:Object of type|Type) `(?:list\[)?(\w+)\]?` has no attribute `(\w+)`")
@@ -45,21 +44,12 @@ def _attribute(kind: str, name: str) -> str:
     known = attributes().get(kind, ())
     if not known or name in known:
         return ""
-    nearest = [
-        called for called, others in _names()["attributes"].items() if name.lower() in others and called in known
-    ]
-    nearest += difflib.get_close_matches(name, known, n=2, cutoff=0.6)
-    meant = f" Instead of .{name} use .{nearest[0]}." if nearest else ""
+    nearest = meant_attribute(kind, name)
+    meant = f" Instead of .{name} use .{nearest}." if nearest else ""
     return f"There is no .{name}; a {kind} has {', '.join(known)}.{meant}"
 
 
 def _function(name: str) -> str:
-    nearest = [called for called, others in _names()["functions"].items() if name.lower() in others]
-    nearest += difflib.get_close_matches(name, functions(), n=1, cutoff=0.6)
-    meant = f" Instead of {name} use {nearest[0]}." if nearest else ""
+    nearest = meant_function(name)
+    meant = f" Instead of {name} use {nearest}." if nearest else ""
     return f"Only these names exist: {', '.join(functions())}.{meant}"
-
-
-def _names() -> dict[str, dict[str, list[str]]]:
-    names: dict[str, dict[str, list[str]]] = prompt_data("words.toml")
-    return names

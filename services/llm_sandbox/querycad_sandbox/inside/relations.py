@@ -97,13 +97,21 @@ def offset(a, b):
             lines.append(line)
         elif item.normal is not None:
             planes.append((item.center, item.normal))
-    if len(lines) == 2 and _long(_cross(lines[0][1], lines[1][1])) <= _PARALLEL:
-        return _from_line(lines[1][0], lines[0])
+    if len(lines) == 2:
+        square = _cross(lines[0][1], lines[1][1])
+        if _long(square) <= _PARALLEL:
+            return _from_line(lines[1][0], lines[0])
+        return abs(_times(_minus(lines[1][0], lines[0][0]), square)) / _long(square)
     if len(planes) == 2 and _long(_cross(planes[0][1], planes[1][1])) <= _PARALLEL:
         return abs(_times(_minus(planes[1][0], planes[0][0]), planes[0][1]))
     if len(lines) == 1 and len(planes) == 1 and abs(_times(lines[0][1], planes[0][1])) <= _PARALLEL:
         return abs(_times(_minus(lines[0][0], planes[0][0]), planes[0][1]))
-    raise ValueError("offset() takes two that are parallel: planes, axes, or a plane and an axis along it")
+    told = "offset() takes two axes, two parallel planes, or a plane and an axis along it"
+    if len(lines) + len(planes) < 2:
+        raise ValueError(f"{told}; one of these has neither axis nor normal")
+    of = [("axis along", *way) for _, way in lines] + [("plane square to", *way) for _, way in planes]
+    given = [f"{word} ({x:.3g}, {y:.3g}, {z:.3g})" for word, x, y, z in of]
+    raise ValueError(f"{told}; these are: {' and '.join(given)}")
 
 
 def on(items, what):
