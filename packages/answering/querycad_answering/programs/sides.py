@@ -9,6 +9,7 @@ from querycad_contracts.vectors import coordinate_axis, dot, sub
 from querycad_language.forms import Facing, Reduce, Target, Towards
 
 from .builder import Builder, Unwritable
+from .circles import on_one_circle, write_middle
 from .distances import pairwise, turned
 from .planes import kinds, side_axis
 
@@ -129,14 +130,20 @@ def angle_between(build: Builder, first: PartQuery, second: Target) -> str:
 
 
 def _about(build: Builder, first: PartQuery, second: Target, along: int | None, flat: int | None = None) -> str:
-    """The least angle between the arms to two parts, from their common middle or from the axis of a round model.
+    """The least angle between the arms to two parts, from their middle or from the axis of a round model.
+
+    Their middle is that of the circle that they lie on, else of their centres.
 
     `flat`: the axis that all of them run along, and arms do not: circles of holes in two flanges lie behind each other.
     """
     names = [build.parts(query) for query in (first, second) if query is not None]
     middle = f"[sum(p.center[i] for p in {names[0]}) / len({names[0]}) for i in range(3)]"
     point = "p.center" if along is None else "(p.opening or p.center)"
-    build.lines += ["import math", f"middle = {middle if along is None else 'shape.center'}"]
+    corners = on_one_circle(build.of(first)) if along is None else None
+    if corners is not None:
+        write_middle(build, names[0], corners)
+    else:
+        build.lines += ["import math", f"middle = {middle if along is None else 'shape.center'}"]
     for index, name in enumerate(names):
         arm = f"[{point}[i] - middle[i] for i in {[i for i in range(3) if i not in (along, flat)]}]"
         build.lines.append(f"arms{index} = [{arm} for p in {name}]")

@@ -15,7 +15,8 @@ from querycad_language.measures import SCALARS, answer_type, of_several
 from querycad_language.phrases import bare_of
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
-from .distances import CORNERS, distance, overlapping
+from .circles import on_one_circle, write_middle
+from .distances import distance, overlapping
 from .planes import SLACK, side_axis
 from .sides import angle_between, at_both_ends, directions, facing, in_line, towards
 
@@ -199,30 +200,18 @@ def _is_circle(query: PartQuery) -> bool:
 
 
 def _through_centers(build: Builder, name: str, parts: Sequence[Part], measure: Measure) -> tuple[str, AnswerType]:
-    """Diameter or radius of the circle through two centres, which are opposite, three, or the corners of a rectangle.
+    """Diameter or radius of the circle through two centres, which are opposite, or through all of more.
 
-    Through three by Heron's formula. Others at equal angles are a pattern, which has a diameter of its own. Raises
-    Unwritable.
+    Others at equal angles are a pattern, which has a diameter of its own. Raises Unwritable.
     """
-    count, share = len(parts), "" if measure is Measure.DIAMETER else " / 2"
-    if measure not in _STEPPED or not (count in (2, 3) or _in_a_rectangle(parts)):
+    share, corners = "" if measure is Measure.DIAMETER else " / 2", on_one_circle(parts)
+    if measure not in _STEPPED or (len(parts) != 2 and corners is None):
         raise Unwritable
-    build.lines += ["import math", f"centers = [p.center for p in {name}]"]
-    if count == CORNERS:
-        return f"max(math.dist(centers[0], other) for other in centers){share}", AnswerType.LENGTH
-    if count == 2:
+    if corners is None:
+        build.lines += ["import math", f"centers = [p.center for p in {name}]"]
         return f"math.dist(*centers){share}", AnswerType.LENGTH
-    build.lines.append("a, b, c = [math.dist(centers[i - 1], centers[i]) for i in range(3)]")
-    build.lines.append("area = math.sqrt((a + b + c) * (b + c - a) * (a + c - b) * (a + b - c)) / 4")
-    return f"a * b * c / (2 * area){share}", AnswerType.LENGTH
-
-
-def _in_a_rectangle(parts: Sequence[Part]) -> bool:
-    """Are four centres as far from each other as the corners of a rectangle are: twice each of three lengths?"""
-    if len(parts) != CORNERS:
-        return False
-    first, *rest = (sorted(math.dist(a.center, b.center) for b in parts) for a in parts)
-    return all(math.dist(first, other) < SLACK for other in rest)
+    write_middle(build, name, corners)
+    return f"2 * math.dist(middle, corners[0]){share}", AnswerType.LENGTH
 
 
 def _type(measure: Measure, expression: str) -> AnswerType:
