@@ -116,8 +116,8 @@ def test_an_agent_solves_ten_tasks(transport: Transport, home: Path) -> None:  #
     async def solve() -> None:
         async with transport(home) as agent:
             tools = {tool.name: tool for tool in (await agent.client.list_tools()).tools}
-            assert len(tools) == 11
-            assert all(tool.description and tool.input_schema["properties"] for tool in tools.values())
+            assert len(tools) == 13
+            assert all(tool.description for tool in tools.values())
 
             # 1. What is this file?
             flange = await agent.call("open_model", file="examples/flange.step")
@@ -164,7 +164,7 @@ def test_an_agent_solves_ten_tasks(transport: Transport, home: Path) -> None:  #
             code = "solution = max(h.diameter for h in holes)"
             failed = await agent.call("run_program", model=model, code=code)
             assert failed["status"] != "ok"
-            assert "guest-api lists what there is. Only these names exist: shape, find_parts," in failed["next"]
+            assert "guest_api lists what there is. Only these names exist: shape, find_parts," in failed["next"]
             mended = await agent.call("run_program", model=model, code=f"holes = parts(kind='hole')\n{code}")
             assert mended["value"] == pytest.approx(0.054)
 
@@ -212,6 +212,12 @@ def test_what_cannot_be_done_says_what_to_do(transport: Transport, home: Path) -
             assert wrong.startswith("measure was not called: measure: Input should be ")
             assert "pydantic" not in wrong
             assert (await agent.refused("open_model")).startswith("open_model was not called: file: ")
+            unknown = await agent.refused("look", model=model, part="hole-1")
+            assert unknown == "look has no argument 'part'; it takes model, view, answer"
+            assert "is 3 parts: hole-1..3; name one" in await agent.refused("part", model=model, part="hole-1..3")
+            assert "examples/flange.step" in await agent.refused("open_model", file="flange.step")
+            late = await agent.call("table", model=model, kind="holes", offset=50)
+            assert (late["text"], late["next"]) == ("", "the table has 3 rows: begin with offset=0")
             assert "answer-99" in await agent.refused("look", model=model, answer="answer-99")
             none = await agent.call("find_parts", model=model, description="banana")
             assert (none["count"], "hole" in none["next"]) == (0, True)
@@ -263,6 +269,50 @@ def test_measures_are_typed(home: Path) -> None:
             assert picked["text"] == "8.5 mm"
 
     anyio.run(measure)
+
+
+def test_ids_are_taken_as_they_are_told_and_an_answer_stands_for_its_parts(home: Path) -> None:
+    async def follow() -> None:
+        async with over_stdio(home) as agent:
+            model = (await agent.call("open_model", file="examples/flange.step"))["model"]
+            asked = await agent.call("ask", model=model, question="How many counterbored holes are there?")
+            (group,) = asked["parts"]
+            for ids in (group["ids"], [group["ids"]], asked["answer"]):
+                each = await agent.call("measure", model=model, measure="diameter", parts=ids)
+                assert each["value"] == pytest.approx([0.016] * 8)
+            them = await agent.call("ask", model=model, question="How deep are they?", select=[asked["answer"]])
+            assert them["text"] == "22 mm (each of 8)"
+            other = (await agent.call("open_model", file="examples/bracket.step"))["model"]
+            strange = await agent.refused("measure", model=other, measure="depth", parts=[asked["answer"]])
+            assert "about another model, flange" in strange
+            assert "no part 'answer-9'" in await agent.refused("part", model=model, part="answer-9")
+
+    anyio.run(follow)
+
+
+def test_what_has_a_density_has_its_unit_and_two_models_are_compared(home: Path) -> None:
+    async def measure() -> None:
+        async with over_stdio(home) as agent:
+            model = (await agent.call("open_model", file="examples/flange.step"))["model"]
+            heavy = await agent.call("measure", model=model, measure="mass", density=7850)
+            assert (heavy["unit"], heavy["value"]) == ("kg", pytest.approx(3.767045))
+            other = (await agent.call("open_model", file="examples/gear_shaft.step"))["model"]
+            assert "170 x 170 x 53 -> 134 x 78 x 78 mm" in await agent.call("compare", model=model, other=other)
+
+    anyio.run(measure)
+
+
+def test_a_program_is_taken_as_it_is_written(home: Path) -> None:
+    holes = "len(parts(kind='hole'))"
+
+    async def run() -> None:
+        async with over_stdio(home) as agent:
+            model = (await agent.call("open_model", file="examples/flange.step"))["model"]
+            for code in (f"```python\nsolution = {holes}\n```", holes, f"print({holes})", f"count = {holes}"):
+                ran = await agent.call("run_program", model=model, code=code)
+                assert (ran["status"], ran["value"]) == ("ok", 11)
+
+    anyio.run(run)
 
 
 def test_what_was_asked_before_the_end_of_input_is_answered(home: Path) -> None:

@@ -6,13 +6,10 @@ do next. One model is read, and one program run, at a time.
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Callable, Iterable, Sequence
-from functools import wraps
 from importlib.metadata import version
 from math import degrees
 from pathlib import Path
-from threading import Lock
 from typing import Annotated, Any, Literal, ParamSpec, TypeVar
 
 import anyio
@@ -28,12 +25,14 @@ from mcp_types import (
     RequestId,
     ToolAnnotations,
 )
-from pydantic import Field, ValidationError
+from pydantic import BeforeValidator, Field, ValidationError
 
 from querycad_answering.answering import SURE
 from querycad_answering.drawing.callouts import callouts, ids_text
 from querycad_answering.drawing.writing import written
 from querycad_answering.llm.hints import hint
+from querycad_answering.llm.program import program_in
+from querycad_answering.llm.reference import reference
 from querycad_contracts import (
     LengthUnit,
     Measure,
@@ -45,18 +44,16 @@ from querycad_contracts import (
     ViewName,
 )
 from querycad_contracts.guest_reference import guest_api_prompt
-from querycad_segworker.errors import FileProblem
 
 from .mcp_outputs import Answered, FoundParts, Group, Measured, Opened, Ran, TablePage
-from .measuring import NoValue
+from .mcp_session import Session
+from .measuring import UNITS, NoValue
 from .model import Model, Reply
 from .runtime import EmbeddedRuntime
 
 T = TypeVar("T")
 P = ParamSpec("P")
 
-MODELS_OPEN = 16
-ANSWERS_KEPT = 100
 GROUPS_SHOWN = 30
 """Groups of like parts in one output; the rest is counted."""
 ROWS_SHOWN = 50
@@ -64,7 +61,6 @@ ROWS_SHOWN = 50
 PRINTED_CHARS = 4000
 LOOK_S = 0.01
 """Between two looks whether all has been answered."""
-SUFFIXES = (".step", ".stp", ".stpz", ".igs", ".iges", ".brep", ".zip", ".stl", ".obj", ".3mf")
 READS = ToolAnnotations(read_only_hint=True, open_world_hint=False, idempotent_hint=True)
 INSTRUCTIONS = """\
 QueryCAD reads CAD models and answers questions about them from exact geometry. Begin with open_model; the id that it
@@ -73,93 +69,21 @@ confidence, the probability that the value is right, whatever the status: rely o
 understood_as and parts with what was asked, or measure the parts by their ids. Status 'answered' only says that it is
 0.45 or more; 'unsure' that it is less: the value may well be wrong, alternatives has other readings, and a person may
 have to choose. Without a value, next says what to do. Values are SI (metres, m2, m3, radians) in the frame of the file,
-z up; texts have the unit that you name. For what no question says, measure parts by their ids, or run_program a short
-Python program (resource querycad://guest-api)."""
+z up; texts have the unit that you name. For what no question says, measure parts by their ids, or write a short Python
+program: guest_api lists what it sees, run_program runs it."""
 
 ModelArg = Annotated[str, Field(description="The model's id, from open_model.")]
 UnitArg = Annotated[LengthUnit, Field(description="Unit of lengths in texts; values stay SI.")]
 PartArg = Annotated[str, Field(description="Id of a part, such as 'hole-4'.")]
+IDS = "'hole-4', 'hole-1..3', or 'answer-2' for all that an answer rests on"
 
 
-class Session:
-    """The models that are open, and the answers that were given."""
+def _listed(given: Any) -> Any:
+    """One text is a list of one."""
+    return [given] if isinstance(given, str) else given
 
-    def __init__(self, runtime: EmbeddedRuntime, folder: Path | None) -> None:
-        self._runtime = runtime
-        self._folder = folder
-        self._models: OrderedDict[str, Model] = OrderedDict()
-        self._answers: OrderedDict[str, Reply] = OrderedDict()
-        self._asked = 0
-        self._lock = Lock()
 
-    def guarded(self, tool: Callable[P, T]) -> Callable[P, T]:
-        """The tool, one call at a time; what went wrong is said with what to do next."""
-
-        @wraps(tool)
-        def guard(*arguments: P.args, **named: P.kwargs) -> T:
-            with self._lock:
-                try:
-                    return tool(*arguments, **named)
-                except (FileProblem, ValueError) as problem:
-                    raise ToolError(str(problem)) from problem
-
-        return guard
-
-    def open(self, file: str) -> str:
-        """The id of the model in the file."""
-        path = Path(file).expanduser()
-        if self._folder is not None:
-            path = self._folder / path
-            if not path.resolve().is_relative_to(self._folder):
-                raise ToolError(f"only files in {self._folder} are opened; {_there(self._folder)}")
-        if not path.is_file():
-            near = next((each for each in (path, path.parent) if each.is_dir()), self._folder or Path.cwd())
-            raise ToolError(f"{'no file' if path.is_dir() else 'no such file'}: {path}; {_there(near.resolve())}")
-        model = self._runtime.open(path)
-        name = f"{path.stem}-{model.id[:8]}"
-        self._models[name] = model
-        self._models.move_to_end(name)
-        while len(self._models) > MODELS_OPEN:
-            self._models.popitem(last=False)
-        return name
-
-    def model(self, name: str) -> Model:
-        """The open model."""
-        if name not in self._models:
-            known = f"open are {', '.join(self._models)}" if self._models else "none is open"
-            raise ToolError(f"no open model is called {name!r}: call open_model with its file first; {known}")
-        self._models.move_to_end(name)
-        return self._models[name]
-
-    def part(self, model: Model, part: str) -> Part:
-        """The part with this id."""
-        try:
-            return model.part(part)
-        except KeyError:
-            kind = part.rpartition("-")[0]
-            same = [each.id for each in model.parts if each.kind == kind]
-            has = f"it has {ids_text(same)}" if same else "find_parts and the tables tell which there are"
-            raise ToolError(f"the model has no part {part!r}; {has}") from None
-
-    def keep(self, reply: Reply) -> str:
-        """The id that the answer is known by from now on."""
-        self._asked += 1
-        name = f"answer-{self._asked}"
-        self._answers[name] = reply
-        while len(self._answers) > ANSWERS_KEPT:
-            self._answers.popitem(last=False)
-        return name
-
-    def answer(self, name: str) -> Reply:
-        """The answer that was given."""
-        if name not in self._answers:
-            raise ToolError(f"no answer is called {name!r} (any more): ask again, and take the id of that answer")
-        return self._answers[name]
-
-    @property
-    def models(self) -> dict[str, Model]:
-        """Those that are open, the last used last."""
-        return dict(self._models)
+Listed = BeforeValidator(_listed)
 
 
 class _Server(MCPServer):
@@ -167,6 +91,9 @@ class _Server(MCPServer):
 
     async def call_tool(self, name: str, arguments: dict[str, Any], context: Any = None) -> Any:
         """What the tool gives. Raises ToolError."""
+        known = next((each.input_schema["properties"] for each in await self.list_tools() if each.name == name), None)
+        if known is not None and (odd := [each for each in arguments if each not in known]):
+            raise ToolError(f"{name} has no argument {', '.join(map(repr, odd))}; it takes {', '.join(known)}")
         try:
             return await super().call_tool(name, arguments, context)
         except ToolError as error:
@@ -252,15 +179,19 @@ def _add_asking(tool: Callable[[Callable[..., Any]], Any], session: Session) -> 
         question: Annotated[str, Field(description="In English; one thing at a time.")],
         unit: UnitArg = LengthUnit.MM,
         context: Annotated[
-            list[str], Field(description="Questions asked before, the oldest first: what 'they' and 'it' lean on.")
+            list[str],
+            Listed,
+            Field(description="Questions asked before, the oldest first: what 'they' and 'it' lean on."),
         ] = [],  # noqa: B006 - never changed
-        select: Annotated[list[str], Field(description="Ids of parts that 'it' or 'this' is.")] = [],  # noqa: B006
+        select: Annotated[list[str], Listed, Field(description=f"Parts that 'it', 'this' or 'they' are: {IDS}.")] = [],  # noqa: B006
     ) -> Answered:
-        """Answer a question about the model with a typed value and the parts that it rests on."""
+        """Answer a question about the model with a typed value and the parts that it rests on.
+
+        Rely on a confidence of 0.8 or more; below it, and where `next` says something, find_parts and measure.
+        """
         asked = session.model(model)
-        parts = [session.part(asked, each) for each in select]
-        reply = asked.ask(question, unit=unit, context=context, select=parts)
-        return _answered(session.keep(reply), reply, asked, unit)
+        reply = asked.ask(question, unit=unit, context=context, select=session.parts(asked, select))
+        return _answered(session.keep(asked, reply), reply, asked, unit)
 
 
 def _add_listing(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
@@ -270,11 +201,12 @@ def _add_listing(tool: Callable[[Callable[..., Any]], Any], session: Session) ->
         description: Annotated[str, Field(description="A noun phrase: 'blind holes', 'M5 screw', 'red body'.")],
         sides: Annotated[
             list[Literal["top", "bottom", "left", "right", "front", "back"]] | None,
+            Listed,
             Field(description="Only parts that are visible from one of these."),
         ] = None,
         unit: UnitArg = LengthUnit.MM,
     ) -> FoundParts:
-        """Find the parts that words mean, like ones in groups; their ids are for measure, distance and ask."""
+        """Find the parts that words mean, like ones in groups; their ids are for part, measure, distance and ask."""
         found = session.model(model).find_parts(description, sides)
         following = "" if found else f"{found.message}; this model has: {', '.join(found.nearest)}"
         groups = _groups(found, session.model(model), unit)
@@ -293,6 +225,8 @@ def _add_listing(tool: Callable[[Callable[..., Any]], Any], session: Session) ->
         page = whole.model_copy(update={"rows": whole.rows[offset : offset + ROWS_SHOWN]})
         more = len(whole.rows) - offset - ROWS_SHOWN
         following = f"{more} more rows: offset={offset + ROWS_SHOWN}" if more > 0 else ""
+        if not page.rows:
+            following = f"the table has {len(whole.rows)} rows: begin with offset=0"
         if not whole.rows:
             kinds = ", ".join(f"{count} {kind}" for kind, count in session.model(model).summary.part_counts.items())
             following = f"the model has no {kind.value}; it has {kinds}"
@@ -305,7 +239,7 @@ def _add_listing(tool: Callable[[Callable[..., Any]], Any], session: Session) ->
         view: Annotated[ViewName, Field(description="Where to look from.")] = ViewName.ISOMETRIC,
         answer: Annotated[str, Field(description="Id of an answer: its parts are marked and numbered instead.")] = "",
     ) -> Image:
-        """Look at the model, or at what an answer rests on: a PNG picture."""
+        """Look at the model, or at what an answer rests on: a PNG picture. For other parts ask with `select` first."""
         if answer:
             return Image(data=bytes(session.answer(answer).picture()), format="png")
         return Image(data=bytes(session.model(model).picture(view)), format="png")
@@ -326,13 +260,13 @@ def _add_measuring(tool: Callable[[Callable[..., Any]], Any], session: Session) 
     def measure(
         model: ModelArg,
         measure: Annotated[Measure, Field(description="What to measure; 'size' is along x, y, z.")],
-        parts: Annotated[list[str], Field(description="Ids of parts; none: the whole model.")] = [],  # noqa: B006
+        parts: Annotated[list[str], Listed, Field(description=f"Parts: {IDS}; none: the whole model.")] = [],  # noqa: B006
         unit: UnitArg = LengthUnit.MM,
         density: Annotated[float | None, Field(gt=0, description="kg/m3, of a mass or moments of inertia.")] = None,
     ) -> Measured:
         """Measure the whole model, one part, or each of several."""
         asked = session.model(model)
-        chosen = [session.part(asked, each) for each in parts]
+        chosen = session.parts(asked, parts)
         of = None if not chosen else chosen[0] if len(chosen) == 1 else chosen
         try:
             found = asked.measure(measure, of, unit=unit, density=density)
@@ -340,7 +274,7 @@ def _add_measuring(tool: Callable[[Callable[..., Any]], Any], session: Session) 
             lacking = chosen[0] if chosen else None
             has = f"; {lacking.id} has {', '.join(_measures(lacking))}" if lacking is not None else ""
             raise ToolError(f"{problem}{has}") from problem
-        return Measured(value=found.value, unit=found.unit, text=found.text)
+        return Measured(value=found.value, unit=found.unit or UNITS.get(measure, ""), text=found.text)
 
 
 def _add_comparing(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
@@ -367,14 +301,34 @@ def _add_comparing(tool: Callable[[Callable[..., Any]], Any], session: Session) 
         return Measured(value=value, unit="rad", text=f"{degrees(value):.6g}°")
 
     @tool
+    def compare(
+        model: ModelArg,
+        other: Annotated[str, Field(description="The id of another open model, such as a later revision.")],
+        unit: UnitArg = LengthUnit.MM,
+    ) -> str:
+        """Tell what is different in another open model, part by part."""
+        return session.model(model).compare(session.model(other), unit).text[:PRINTED_CHARS]
+
+    @tool
+    def guest_api() -> str:
+        """List all that a program for run_program sees: functions, and what a part, a face and the model have."""
+        return reference()
+
+    @tool
     def run_program(
         model: ModelArg,
-        code: Annotated[str, Field(description="Python that assigns `solution`; see resource querycad://guest-api.")],
+        code: Annotated[
+            str,
+            Field(
+                description="Python that assigns `solution`, such as "
+                "solution = max(hole.diameter for hole in parts(kind='hole')). guest_api lists what there is."
+            ),
+        ],
     ) -> Ran:
         """Run a short program over the model's parts and faces in a sandbox: no files, no network, SI units."""
-        came = session.model(model).run(code)
+        came = session.model(model).run(program_in(code) or program_in(f"```\n{code}\n```") or code)
         more = hint(came.message, came.missing_attribute)
-        wrong = f"fix the program; querycad://guest-api lists what there is. {more}".strip()
+        wrong = f"fix the program; guest_api lists what there is. {more}".strip()
         return Ran(
             status=came.status,
             value=came.value,
@@ -462,15 +416,3 @@ def _groups(parts: Iterable[Part], model: Model, unit: LengthUnit) -> tuple[Grou
 def _measures(part: Part) -> Sequence[str]:
     """Names of the measures that the part has of its own."""
     return [each.value for each in Measure if getattr(part, each.value, None) is not None]
-
-
-def _there(folder: Path) -> str:
-    """Which files could be opened in a folder?"""
-    try:
-        names = sorted(each.name for each in folder.iterdir() if each.suffix.lower() in SUFFIXES)
-    except OSError:
-        names = []
-    if not names:
-        return f"{folder} holds no CAD file"
-    more = f" and {len(names) - 20} more" if len(names) > 20 else ""
-    return f"{folder} holds {', '.join(names[:20])}{more}"

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from tests.made import MM, hole, part
 
-from querycad_answering.drawing.callouts import callout, callouts, carried_sections, ids_text
+from querycad_answering.drawing.callouts import callout, callouts, carried_sections, ids_in, ids_text
 from querycad_answering.drawing.numbers import length
 from querycad_answering.drawing.threads import suits, thread_name
 from querycad_contracts import LengthUnit, Part, PartKind
@@ -163,3 +163,23 @@ def test_holes_that_noise_parts_by_the_last_decimal_are_one_group() -> None:
     holes = [hole(n, diameter=0.00635, **{**BLIND, "depth": depth}) for n, depth in enumerate(depths)]
     assert [one.text for one in callouts(holes)] == ["2x Ø6.35 depth 7.938"]
     assert length(0.0079374, LengthUnit.MM) == "7.937"
+
+
+@pytest.mark.parametrize(
+    ("text", "ids"),
+    [
+        ("hole-1..3, hole-5", ["hole-1", "hole-2", "hole-3", "hole-5"]),
+        ("hole-7", ["hole-7"]),
+        ("chamfer-b1.1, chamfer-b1.2", ["chamfer-b1.1", "chamfer-b1.2"]),
+        ("", []),
+        ("hole-3..1", ["hole-3..1"]),
+        ("hole-1..999999999", ["hole-1..999999999"]),
+    ],
+)
+def test_ids_in_short_are_read_again(text: str, ids: list[str]) -> None:
+    assert ids_in(text) == ids
+
+
+def test_what_is_told_in_short_is_what_is_read() -> None:
+    ids = ["hole-1", "hole-2", "hole-9", "chamfer-b1.1", "boss-4", "boss-5"]
+    assert ids_in(ids_text(ids)) == ids

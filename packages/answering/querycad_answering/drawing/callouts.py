@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
@@ -17,6 +18,9 @@ SAME = 1e-6
 """Two radii are one step's where they differ by less, metres."""
 _SYMBOLS = (("counterbore ", "⌴"), ("spotface ", "⌴SF "), ("countersink ", "⌵"), ("depth ", "↧"))
 """ISO 1101 and ASME Y14.5 write these for the words."""
+MOST_IDS = 10_000
+"""In a run of ids: more than any model has of one kind."""
+_RUN = re.compile(r"(.+)-(\d{1,9})\.\.(\d{1,9})")
 _SECTIONS = (PartKind.COUNTERBORE, PartKind.SPOTFACE, PartKind.COUNTERSINK, PartKind.CHAMFER)
 
 Known = Mapping[str, Part]
@@ -65,6 +69,19 @@ def ids_text(ids: Sequence[str], most: int = 8) -> str:
     shown = sum(last - first + 1 if first >= 0 else 1 for _, first, last in runs[:most])
     more = f" and {len(ids) - shown} more" if len(runs) > most else ""
     return ", ".join(texts[:most]) + more
+
+
+def ids_in(text: str) -> list[str]:
+    """The ids that `ids_text` has told in short, of which it counted none: 'hole-1..3, hole-5' are four."""
+    found: list[str] = []
+    for each in filter(None, (one.strip() for one in text.split(","))):
+        run = _RUN.fullmatch(each)
+        first, last = (int(run[2]), int(run[3])) if run is not None else (1, 0)
+        if run is not None and first <= last < first + MOST_IDS:
+            found += [f"{run[1]}-{number}" for number in range(first, last + 1)]
+        else:
+            found.append(each)
+    return found
 
 
 def carried_sections(parts: Sequence[Part]) -> frozenset[str]:
