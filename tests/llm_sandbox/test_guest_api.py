@@ -428,6 +428,19 @@ def test_in_a_pattern_is_what_belongs_to_it_and_not_what_lies_within(finder: Fak
     assert guest.is_in(make_part("boss-1"), circle)
 
 
+def test_a_hole_is_in_the_body_whose_faces_it_has_and_a_pin_in_the_hole_that_it_fills(finder: FakePartFinder) -> None:
+    plate = make_part("body-1", faces=(1, 2, 3), extents=(0.1, 0.1, 0.01))
+    washer = make_part("body-2", faces=(7, 8), center=(0.0, 0.0, 0.006), extents=(0.02, 0.02, 0.002))
+    opening = {"opening": (0.0, 0.0, 0.005), "extents": (0.01, 0.01, 0.002)}
+    in_washer = make_part("hole-1", faces=(8,), center=(0.0, 0.0, 0.006), **opening)
+    in_plate = make_part("hole-2", faces=(3,), extents=(0.008, 0.008, 0.01))
+    pin = make_part("boss-1", faces=(9,), extents=(0.008, 0.008, 0.02))
+    guest = Guest(finder, RunControl(), 2**20)
+    assert [guest.is_in(hole, plate) for hole in (in_washer, in_plate)] == [False, True]
+    assert [guest.is_in(hole, washer) for hole in (in_washer, in_plate)] == [True, False]
+    assert guest.is_in(pin, in_plate)
+
+
 def test_teeth_that_mesh_are_each_in_their_own_gear(finder: FakePartFinder) -> None:
     wheel = make_part("gear-1", kind="gear", children=("tooth-1.1",), extents=(0.1, 0.1, 0.01))
     guest = Guest(finder, RunControl(), 2**20)

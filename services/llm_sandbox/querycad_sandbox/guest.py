@@ -34,6 +34,7 @@ from querycad_contracts import (
     Vector,
 )
 from querycad_contracts.guest_reference import guest_api
+from querycad_contracts.places import is_inside
 from querycad_contracts.vectors import cross, dot, sub
 
 from .control import RunControl, RunEndedError
@@ -378,17 +379,8 @@ class Guest:
         return math.atan2(math.hypot(*cross(a, b)), cosine)
 
     def is_in(self, part: Part, other: Part) -> bool:
-        """Does one part lie in or on another: is it carried by it, or its centre or opening in the other's box?
-
-        In a pattern of such parts, and in a gear of teeth, is what belongs to it.
-        """
-        if other.kind.is_group and any(child.startswith(f"{part.kind}-") for child in other.children):
-            return part.id in other.children
-        points = [part.center] if part.opening is None else [part.center, part.opening]
-        return part.id in other.children or any(
-            all(abs(c - m) <= e / 2 + BOX_SLACK_M for c, m, e in zip(point, other.center, other.extents, strict=True))
-            for point in points
-        )
+        """Does one part lie in or on another? As `is_inside` has it."""
+        return is_inside(part, other)
 
     def explain(self, type_name: str, attribute: str) -> Absence | None:
         """What is it that had no such attribute? None when no object of the guest API is known to lack it.

@@ -12,20 +12,12 @@ import pytest
 from tests.made import hole, part, whole
 
 from querycad_contracts import Part
+from querycad_contracts.places import RING_M, TOUCH_M, carries, is_inside
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
 from querycad_segworker.relations.between import lying_between
 from querycad_segworker.relations.nearby import Nearby, to_nearest
-from querycad_segworker.relations.places import (
-    RING_M,
-    TOUCH_M,
-    carries,
-    coaxial,
-    encloses,
-    is_inside,
-    surrounding,
-    touches,
-)
+from querycad_segworker.relations.places import coaxial, encloses, surrounding, touches
 from querycad_segworker.relations.related import related
 from querycad_segworker.relations.roles import ROLES, Kinds
 from querycad_segworker.vectors import dot, norm, sub

@@ -22,15 +22,17 @@ FAR = 0.8  # a sense so far from its word is told: a 'bolt' that is a hole
 def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
     """Which parts are meant, in the best way to ground it, or that of its `sense`? Warnings say what is not checked."""
     query = asked if isinstance(asked, PartQuery) else noun_phrase(asked, inventory.names)
-    unnumbered = isinstance(asked, str) and not query.plural and not query.definite
-    if unnumbered:
-        query = query.model_copy(update={"plural": True})  # 'hole' means all of them, 'the hole' one
+    plural = query.plural
+    unnumbered = isinstance(asked, str) and (plural or not query.definite) and not query.count
+    if unnumbered:  # 'hole' and 'holes' mean all of them, be it one, 'the hole' one
+        query = query.model_copy(update={"plural": True})
     if sides is not None:
         query = query.model_copy(update={"sides": tuple(Side(side) for side in sides)})
     said = asked if isinstance(asked, str) else " ".join(query.words) or query.noun or "part"
     ways = ground(inventory, query)
     if unnumbered:
-        ways.sort(key=_by_score, reverse=True)
+        wider = _wider(ways) if plural else []
+        ways = [*wider, *sorted(ways, key=_by_score, reverse=True)]
     if isinstance(asked, str):
         ways = [way for way in ways if "guessed" not in way.features] or ways  # programs are not guessed for
     way = ways[min(query.sense, len(ways) - 1)]
@@ -93,6 +95,23 @@ def _printed(inventory: Inventory, asked: str, way: Grounded, sides: Sequence[Si
 def _by_score(way: Grounded) -> tuple[float, float]:
     """Without a number one part is as good as several; of equals what the file itself calls so comes first."""
     return round(score({**way.features, "one_for_plural": 0.0}), 1), way.features.get("name_share", 0.0)
+
+
+def _wider(ways: Sequence[Grounded]) -> list[Grounded]:
+    """Where several were said and the best way has one: the first that has others of its kind beside it, as well told.
+
+    No body is one of several: what else a word may mean of bodies is all of them.
+    """
+    best = max(ways, key=_by_score)
+    if len(best.parts) != 1 or best.parts[0].kind.is_whole:
+        return []
+    (one,) = best.parts
+    more = [way for way in ways if len(way.parts) > 1 and one in way.parts and _far(way) <= _far(best)]
+    return [way for way in more if all(part.kind == one.kind for part in way.parts)][:1]
+
+
+def _far(way: Grounded) -> tuple[int, float]:
+    return len(way.unchecked), way.features.get("sense_stretch", 0.0)
 
 
 def _order(part: Part) -> tuple[str, int]:

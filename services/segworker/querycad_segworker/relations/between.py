@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from querycad_contracts import Part
-
-from .places import TOUCH_M
+from querycad_contracts.places import TOUCH_M
 
 if TYPE_CHECKING:
     import numpy as np

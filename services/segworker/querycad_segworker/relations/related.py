@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from querycad_contracts import DRAWING_M, Part, PartKind
+from querycad_contracts.places import RING_M, carries, is_inside
 from querycad_segworker.vectors import dot
 
 from .between import lying_between
 from .nearby import Nearby, to_nearest
-from .places import RING_M, carries, coaxial, encloses, is_inside, surrounding, touches
+from .places import coaxial, encloses, surrounding, touches
 
 STANDING_OUT = frozenset(kind for kind in PartKind if kind.stands_out) | {PartKind.BODY}
 DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}

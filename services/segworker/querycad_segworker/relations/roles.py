@@ -7,9 +7,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from querycad_contracts import Part, PartKind, Side
+from querycad_contracts.places import TOUCH_M
 from querycad_segworker.vectors import cross, dot, line_distance, norm, sub, unit
 
-from .places import TOUCH_M, touches
+from .places import touches
 
 if TYPE_CHECKING:
     import numpy as np
