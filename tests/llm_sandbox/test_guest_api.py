@@ -420,6 +420,13 @@ def test_faces_come_as_values_and_enums_as_their_words() -> None:
     assert not any(isinstance(value, Side) for value in part_measures(full_part())["sides"])
 
 
+def test_a_curved_slot_has_the_radius_of_its_middle_line_and_a_straight_one_none() -> None:
+    arc = {"kind": "slot", "center_length": 0.03, "angle": 0.5, "radius": 0.004}
+    assert part_measures(make_part("slot-1", tags=("curved", "closed"), **arc))["bend_radius"] == pytest.approx(0.06)
+    assert "bend_radius" not in part_measures(make_part("slot-2", tags=("obround", "closed"), **arc))
+    assert "bend_radius" not in part_measures(make_part("boss-1", tags=("curved",), **{**arc, "kind": "boss"}))
+
+
 def test_in_a_pattern_is_what_belongs_to_it_and_not_what_lies_within(finder: FakePartFinder) -> None:
     circle = make_part("pattern-1", children=("hole-1",), extents=(0.1, 0.1, 0.01))
     guest = Guest(finder, RunControl(), 2**20)

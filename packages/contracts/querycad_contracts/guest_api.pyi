@@ -179,7 +179,7 @@ class Part:
     draft: float
     """Of a taper's wall to its axis. Of cones and taper pins, of the walls of pockets and pads."""
     bend_radius: float
-    """Of a pipe its middle line's; of sheet inside."""
+    """Of a pipe its middle line's. And of a curved slot; of sheet inside."""
     bend_angle: float
     """Of what bends once. A pipe or sheet."""
     mouth_length: float

@@ -42,7 +42,7 @@ class Opening:
 _OF_PART: Final = (
     "id", "label", "name", "center", "opening", "tip", "extents", "axis", "nominal_length", "local_size",
     "pitch", "count", "angle", "outer_diameter", "inner_diameter", "tube_diameter", "across_flats", "across_corners",
-    "center_length", "chamfer_size", "draft", "bend_radius", "bend_angle", "mouth_length", "mouth_width",
+    "center_length", "chamfer_size", "draft", "bend_angle", "mouth_length", "mouth_width",
     "bottom_length", "bottom_width", "opening_area", "bottom_thickness", "minimum_thickness", "wall_distance",
     "inclination", "developed_length", "volume", "area",
 )  # fmt: skip
@@ -86,6 +86,7 @@ def part_measures(part: Part) -> Measures:
             "width": _first(part.width, x if part.kind == "body" else width),
             "length": _first(part.length, part.height if part.kind == "boss" else length),
             "thickness": _first(part.thickness, min(part.local_size or part.extents) if part.opening is None else None),
+            "bend_radius": _first(part.bend_radius, _middle_radius(part)),
             **_mass(part),
             "approach": list(part.approach) or None,
         },
@@ -124,6 +125,13 @@ def shape_measures(shape: Shape) -> Measures:
             "up": None if shape.up is None else shape.up.value,
         },
     )
+
+
+def _middle_radius(part: Part) -> float | None:
+    """Of what is cut along an arc: the radius of its middle line, the arc between its ends' centres by its angle."""
+    if "curved" not in part.tags or not part.kind.cuts_in or not part.center_length or not part.angle:
+        return None
+    return part.center_length / part.angle
 
 
 def _mass(one: Part) -> Measures:
