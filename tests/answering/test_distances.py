@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from tests.made import hole, part, whole
 
-from querycad_answering.programs import Unwritable, write
-from querycad_contracts import PartQuery
+from querycad_answering.programs import Grounds, Unwritable, write
+from querycad_contracts import PartQuery, Vector
 from querycad_language.forms import HORIZONTAL, VERTICAL, Distance
 
 ARM = PartQuery(noun="arm", definite=True)
@@ -30,3 +30,22 @@ def test_vertical_is_along_y_on_one_level_and_along_z_otherwise() -> None:
         for axis, along in ((HORIZONTAL, across), (VERTICAL, up)):
             code = write(Distance(HOLES, "each other", "centers", axis), {HOLES: (holes, 0)}, whole()).code
             assert f"a.center[{along}] - b.center[{along}]" in code
+
+
+@pytest.mark.parametrize(
+    ("axis", "crossed"), [((1.0, 0.0, 0.0), True), ((0.6, 0.0, 0.8), True), ((0.0, 0.0, -1.0), False)]
+)
+def test_axes_that_are_not_parallel_may_be_apart_square_to_both(axis: Vector, crossed: bool) -> None:
+    upright = part("hole-1", axis=(0.0, 0.0, 1.0), radius=0.004)
+    other = part("hole-2", (0.01, 0.02, 0.0), axis=axis, radius=0.003)
+    bore, cross = PartQuery(noun="bore", definite=True), PartQuery(noun="cross hole", definite=True)
+    asked: dict[Distance, Grounds] = {
+        Distance(HOLES, "each other", "centers"): {HOLES: ((upright, other), 0)},
+        Distance(bore, cross, "centers"): {bore: ((upright,), 0), cross: ((other,), 0)},
+    }
+    for form, grounds in asked.items():
+        codes = [write(form, grounds, whole()).code]
+        if crossed:
+            codes.append(write(form, grounds, whole(), 1).code)
+        assert any("offset(a, b)" in code for code in codes) is crossed
+        assert any("a.center_distance(b)" in code for code in codes)

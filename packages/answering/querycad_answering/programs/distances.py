@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from querycad_contracts import AnswerType, Part, PartKind, PartQuery, Side
+from querycad_contracts.vectors import cross, norm
 from querycad_language import forms
 from querycad_language.forms import (
     HORIZONTAL,
@@ -46,6 +47,8 @@ MEASURED = 100
 """So many pairs have their surfaces measured, hundredths of a second each; of more those whose boxes are nearest."""
 _FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUSION, PartKind.WALL, PartKind.FACE))
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
+_PARALLEL = 0.0017
+"""Radians within which axes are parallel, as recognition has it: 0.1 degrees."""
 CORNERS = 4
 """Of a rectangle: of fewer or more parts there are no two sides."""
 
@@ -172,13 +175,21 @@ def _between(build: Builder, form: Distance, two: bool) -> str:
         apart = f"abs(a.center[{form.axis}] - b.center[{form.axis}])"
         ends = f"a.half_extents[{form.axis}] - b.half_extents[{form.axis}]"
         modes = {"center": apart, "near": f"max(0.0, {apart} - {ends})"}
+    elif (form.mode == "centers" or (two and not alike)) and _are_crossed(parts):
+        modes["axis"] = "offset(a, b)"
     elif two and (not alike or form.mode == "centers"):
         first, last = turned(parts[0]), turned(parts[-1])
         beside = {last, first if parts[0].axis is not None or last is None else None} - {None}
-        if beside and ".normal" not in modes["center"]:  # from an axis; of two that cross the third way
+        if beside and ".normal" not in modes["center"]:  # from an axis
             planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i not in beside)
             modes["axis"] = f"({' + '.join(planar)}) ** 0.5"
     return build.chosen({name: modes[name] for name in names if name in modes}, kinds(parts))
+
+
+def _are_crossed(parts: Sequence[Part]) -> bool:
+    """Have all of them an axis, and not all one direction?"""
+    axes = [part.axis for part in parts if part.axis is not None]
+    return len(axes) == len(parts) and any(norm(cross(axes[0], axis)) > _PARALLEL for axis in axes)
 
 
 def _center_distance(build: Builder, form: Distance) -> str:
