@@ -427,6 +427,13 @@ def test_a_curved_slot_has_the_radius_of_its_middle_line_and_a_straight_one_none
     assert "bend_radius" not in part_measures(make_part("boss-1", tags=("curved",), **{**arc, "kind": "boss"}))
 
 
+def test_a_conical_boss_has_the_full_angle_and_a_pocket_with_draft_none() -> None:
+    head = make_part("boss-1", tags=("conical",), draft=0.785)
+    assert part_measures(head)["angle"] == pytest.approx(1.57)
+    assert "angle" not in part_measures(make_part("pocket-1", kind="pocket", draft=0.05))
+    assert part_measures(make_part("cone-1", tags=("conical",), draft=0.2, angle=0.4))["angle"] == 0.4
+
+
 def test_in_a_pattern_is_what_belongs_to_it_and_not_what_lies_within(finder: FakePartFinder) -> None:
     circle = make_part("pattern-1", children=("hole-1",), extents=(0.1, 0.1, 0.01))
     guest = Guest(finder, RunControl(), 2**20)

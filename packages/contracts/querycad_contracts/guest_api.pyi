@@ -160,8 +160,8 @@ class Part:
     count: int
     """Members of a pattern, teeth of a gear."""
     angle: float
-    """The full angle; of a chamfer to its face. Of a V groove, cone or countersink; of a dovetail's flanks to its
-    floor."""
+    """The full angle; of a chamfer to its face. Of a V groove, cone, conical boss or countersink; of a dovetail's
+    flanks to its floor."""
     outer_diameter: float
     """Over all, of what is round. Rings, tubes, pipes, shafts, tori, bent bars; of a sheet's bend twice
     its outer radius."""

@@ -41,7 +41,7 @@ class Opening:
 
 _OF_PART: Final = (
     "id", "label", "name", "center", "opening", "tip", "extents", "axis", "nominal_length", "local_size",
-    "pitch", "count", "angle", "outer_diameter", "inner_diameter", "tube_diameter", "across_flats", "across_corners",
+    "pitch", "count", "outer_diameter", "inner_diameter", "tube_diameter", "across_flats", "across_corners",
     "center_length", "chamfer_size", "draft", "bend_angle", "mouth_length", "mouth_width",
     "bottom_length", "bottom_width", "opening_area", "bottom_thickness", "minimum_thickness", "wall_distance",
     "inclination", "developed_length", "volume", "area",
@@ -62,7 +62,8 @@ def part_measures(part: Part) -> Measures:
 
     A hole, pocket or slot (what has an opening) has no depth but its own; what protrudes (what has a tip) no height
     but its own; for anything else depth and height are the extents along y and z, as the guest API says. What has no
-    thickness of its own, and no opening, is as thick as its smallest dimension.
+    thickness of its own, and no opening, is as thick as its smallest dimension. The full angle of what is conical is
+    twice its draft.
     """
     x, y, z = part.extents
     length, width, _ = part.local_size or (None, None, None)
@@ -86,6 +87,7 @@ def part_measures(part: Part) -> Measures:
             "width": _first(part.width, x if part.kind == "body" else width),
             "length": _first(part.length, part.height if part.kind == "boss" else length),
             "thickness": _first(part.thickness, min(part.local_size or part.extents) if part.opening is None else None),
+            "angle": _first(part.angle, 2 * part.draft if part.draft and "conical" in part.tags else None),
             "bend_radius": _first(part.bend_radius, _middle_radius(part)),
             **_mass(part),
             "approach": list(part.approach) or None,
