@@ -7,10 +7,11 @@ from tests.made import hole, part, whole
 
 from querycad_answering.programs import Grounds, Unwritable, write
 from querycad_contracts import PartQuery, Vector
-from querycad_language.forms import HORIZONTAL, VERTICAL, Distance
+from querycad_language.forms import HORIZONTAL, VERTICAL, Distance, Plane
 
 ARM = PartQuery(noun="arm", definite=True)
 HOLES = PartQuery(noun="hole", plural=True)
+PIN, BLOCK = PartQuery(noun="pin", definite=True), PartQuery(noun="block", definite=True)
 
 
 def test_one_part_has_a_distance_between_its_own_centres_and_no_gap() -> None:
@@ -49,3 +50,24 @@ def test_axes_that_are_not_parallel_may_be_apart_square_to_both(axis: Vector, cr
             codes.append(write(form, grounds, whole(), 1).code)
         assert any("offset(a, b)" in code for code in codes) is crossed
         assert any("a.center_distance(b)" in code for code in codes)
+
+
+def pin_in_block(axis: Vector, extents: Vector, block: Vector) -> Grounds:
+    """A pin, standing out of a block."""
+    pin = part("boss-1", (0.0, 0.0, 0.02), axis=axis, extents=extents, radius=0.005, height=0.04)
+    return {PIN: ((pin,), 0), BLOCK: ((part("prism-1", extents=block),), 0)}
+
+
+def test_what_lies_obliquely_does_not_stand_out_along_x_y_or_z() -> None:
+    out, within = Distance(Plane(None, PIN), Plane(None, BLOCK)), Distance(PIN, BLOCK, "within")
+    upright = pin_in_block((0.0, 0.0, 1.0), (0.01, 0.01, 0.04), (0.05, 0.05, 0.02))
+    leaning = pin_in_block((0.6, 0.0, 0.8), (0.03, 0.01, 0.04), (0.05, 0.05, 0.03))
+    for form in (out, within):
+        assert "[2]" in write(form, upright, whole()).code
+        with pytest.raises(Unwritable):
+            write(form, leaning, whole())
+
+
+def test_what_leans_on_a_level_plate_stands_out_along_its_thickness() -> None:
+    on_plate = pin_in_block((0.6, 0.0, 0.8), (0.03, 0.01, 0.04), (0.08, 0.08, 0.004))
+    assert "center[2]" in write(Distance(Plane(None, PIN), Plane(None, BLOCK)), on_plate, whole()).code

@@ -31,6 +31,7 @@ from .planes import (
     beyond_both,
     ends_of,
     from_plane,
+    is_oblique,
     kinds,
     of_each,
     outermost,
@@ -243,8 +244,13 @@ def _clearance(build: Builder, form: Distance, first: PartQuery, second: PartQue
 
 
 def _within(build: Builder, form: Distance, first: PartQuery, second: PartQuery) -> str:
-    """How far the parts reach into the others: along their axis, or where they do not lie within them altogether."""
+    """How far the parts reach into the others: along their axis, or where they do not lie within them altogether.
+
+    Raises Unwritable where the axis lies along none of x, y and z.
+    """
     parts, others = build.of(first), build.of(second)
+    if is_oblique(parts):
+        raise Unwritable
     ends = ends_of(parts, others)
     along, _ = side_axis(ends[0])
     if along_axis(parts[0]) is None:

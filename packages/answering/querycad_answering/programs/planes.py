@@ -16,6 +16,8 @@ SLACK = 1e-6
 """Metres within which two lengths are one."""
 BREAK = 0.1
 """What breaks the edge of an end is less than this share of the radius there, and of the length of the section."""
+LEVEL = 0.9999
+"""Cosine of what lies along an axis: 0.8 degrees."""
 THIN = 1 / 3
 """What is at most that thick for its width is a plate or a wall, from which others stand out."""
 _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
@@ -47,6 +49,10 @@ def from_plane(build: Builder, plane: Plane, other: Anchor | str, mode: str) -> 
     match other:
         case Plane(over, of) if other_side is not None:
             upright = _upright(build, plane.of, of) if plane.side is over is None and mode != "outsides" else None
+            if plane.side is over is None and is_oblique(build.of(plane.of)):  # along x, y or z is not along it
+                if upright is None:
+                    raise Unwritable
+                side = other_side = upright
             if upright in (None, side):
                 return _levels_apart(build, plane.of, of, side, other_side, mode)
             sides = {"lengthwise": side, "upright": upright}
@@ -208,6 +214,11 @@ def _sides(build: Builder, plane: Plane, other: Anchor | str, mode: str) -> tupl
     free = [side for side in ends if reach(part[0], side) > reach(build.whole, side) - SLACK]
     ends = free if len(free) == 1 and part[0].kind not in WHOLE else ends
     return min(ends, key=lambda side: abs(reach(part[0], side) - reach(others[0], side, 0.0))), None
+
+
+def is_oblique(parts: Sequence[Part]) -> bool:
+    """Does the axis of the first part lie along none of x, y and z?"""
+    return bool(parts) and parts[0].axis is not None and max(map(abs, parts[0].axis)) < LEVEL
 
 
 def ends_of(parts: Sequence[Part], others: Sequence[Part]) -> list[Side]:
