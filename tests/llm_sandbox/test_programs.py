@@ -75,7 +75,7 @@ PROGRAMS: list[tuple[str, Any]] = [
     ('a = find_parts("hole")[0]\nb = find_parts("boss")[0]\nsolution = a.distance_to(b)', 0.007),
     ('a, b, *rest = find_parts("hole")\nsolution = a.center_distance(b)', 0.03),
     ('solution = find_parts("hole")[0].angle_to(find_parts("boss")[0])', math.pi / 2),
-    ('solution = getattr(find_parts("slot")[0], "radius", None)', None),
+    ('solution = getattr(find_parts("slot")[0], "radius", -1)', -1),
     ('solution = [hasattr(p, "tip") for p in find_parts("hole") + find_parts("boss")]', [False, False, False, True]),
     ('try:\n    solution = find_parts("slot")[0].radius\nexcept AttributeError:\n    solution = "none"', "none"),
     (
