@@ -68,6 +68,7 @@ def full_part() -> Part:
         tags=("through",),
         sides=(Side.TOP,),
         name="x",
+        color="#c0c0c0",
         opening=UP,
         tip=UP,
         axis=UP,
@@ -290,6 +291,7 @@ def test_a_failing_line_is_told_with_its_number(sandbox: Sandbox, finder: FakePa
     ("call", "message"),
     [
         ("find_parts(3)", "TypeError: find_parts() takes a description as text"),
+        ('find_parts({"noun": "hole", "size": 3})', "ValueError: find_parts() takes no such query: size: Extra inputs"),
         ('find_parts("")', "ValueError: a description has 1 to 300 characters"),
         ('find_parts("x" * 301)', "ValueError: a description has 1 to 300 characters"),
         ('find_parts("hole", sides=["upper"])', "ValueError: no side is called 'upper': use top, bottom, left"),
@@ -418,6 +420,11 @@ def test_faces_come_as_values_and_enums_as_their_words() -> None:
     assert (measures["kind"], measures["convexity"]) == ("cone", "concave")
     assert isinstance(make_face(3), Face)
     assert not any(isinstance(value, Side) for value in part_measures(full_part())["sides"])
+
+
+def test_a_body_has_its_colour_and_a_hole_none() -> None:
+    assert part_measures(make_part("body-1", color="#ff0000"))["color"] == "#ff0000"
+    assert "color" not in part_measures(make_part("hole-1"))
 
 
 def test_a_curved_slot_has_the_radius_of_its_middle_line_and_a_straight_one_none() -> None:

@@ -112,15 +112,17 @@ class Part:
     kind: str
     """'hole', 'boss', 'slot', 'body' …"""
     tags: list[str]
-    """'through', 'blind', 'counterbored', 'threaded' …"""
+    """'through', 'blind', 'threaded' …"""
     label: str
     name: str
     """Of a body."""
+    color: str
+    """Of a body. Such as '#c0c0c0'."""
     sides: list[Side]
     """Visible from; of a hole, into it."""
     faces: list[Face]
     center: Vector
-    """Of a hole: half-way between its ends on its axis."""
+    """Of a hole: half-way between its ends. On its axis."""
     opening: Vector
     """Centre of where it opens."""
     openings: list[Opening]

@@ -40,7 +40,7 @@ class Opening:
 
 
 _OF_PART: Final = (
-    "id", "label", "name", "center", "opening", "tip", "extents", "axis", "nominal_length", "local_size",
+    "id", "label", "name", "color", "center", "opening", "tip", "extents", "axis", "nominal_length", "local_size",
     "pitch", "count", "outer_diameter", "inner_diameter", "tube_diameter", "across_flats", "across_corners",
     "center_length", "chamfer_size", "draft", "bend_angle", "mouth_length", "mouth_width",
     "bottom_length", "bottom_width", "opening_area", "bottom_thickness", "minimum_thickness", "wall_distance",

@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from enum import StrEnum
 from typing import Final, TypeVar
 
+from pydantic import ValidationError
+
 from querycad_contracts import (
     Body,
     Convexity,
@@ -30,6 +32,8 @@ WORD_CHARS: Final = 40
 """Of a wrong word of the program's, in what is said of it."""
 TOLD: Final = 30
 """Kinds or tags of the model told where another was asked for."""
+WRONG: Final = 5
+"""Fields told of a query that is none."""
 
 W = TypeVar("W", bound=StrEnum)
 
@@ -39,6 +43,9 @@ def description_of(description: object) -> str | PartQuery:
     if isinstance(description, dict):
         try:
             return PartQuery.model_validate_json(json.dumps(description))
+        except ValidationError as problem:
+            wrong = "; ".join(f"{'.'.join(map(str, one['loc']))}: {one['msg']}" for one in problem.errors()[:WRONG])
+            raise ValueError(f"find_parts() takes no such query: {wrong}") from None
         except (TypeError, ValueError) as problem:
             raise ValueError(f"find_parts() takes no such query: {str(problem)[:200]}") from None
     if not isinstance(description, str):
