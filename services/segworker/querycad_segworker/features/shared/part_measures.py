@@ -35,11 +35,14 @@ PLATE_RATIO = 0.35
 
 
 def width_of(normal: Vector, extents: Vector, sizes: tuple[float, float]) -> float:
-    """The width of something rectangular: along x, or along y where it faces left or right.
+    """The width of something rectangular, across which `sizes` are: the smaller one, as that of a pocket.
 
-    What stands oblique in the file, or is turned about its normal, has its own: the smaller of its two `sizes`.
+    On an upright wall it is the level one: along x, or along y where it faces left or right. What stands oblique in the
+    file, or is turned about its normal, has its own: the smaller one again.
     """
     along = max(range(3), key=lambda i: abs(normal[i]))
+    if along == 2:
+        return min(sizes)
     width = extents[1] if along == 0 else extents[0]
     aligned = abs(normal[along]) >= ALIGNED and any(math.isclose(width, size, rel_tol=1 - ALIGNED) for size in sizes)
     return width if aligned else min(sizes)
