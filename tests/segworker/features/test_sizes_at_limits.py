@@ -206,3 +206,17 @@ def test_a_flat_on_a_shaft_is_open_wherever_the_seam_lies(around: float) -> None
 def test_an_open_cut_as_long_as_wide_is_a_slot(length: float, kind: str) -> None:
     shape = cut(plate(80, 60, 40), box((6, length, 5), (-3, 30 - length, -5)))
     assert [len(of_kind(other, kind)) for other in stored(shape)] == [1] * 6
+
+
+@pytest.mark.parametrize("around", [0.0, 90.0])
+def test_a_pad_that_lies_is_as_wide_as_its_smaller_side_whichever_way_it_runs(around: float) -> None:
+    pad = fuse(plate(120, 120, 10), turned(box((80, 30, 6), (-40, -15, 0)), (0, 0, 1), around))
+    (found,) = of_kind(pad, "protrusion")
+    assert (found.length, found.width) == pytest.approx((0.080, 0.030))
+
+
+def test_a_pad_on_an_upright_wall_is_as_wide_as_it_is_level() -> None:
+    """The twin: it is 80 mm wide and 30 mm high."""
+    pad = fuse(box((120, 20, 120)), box((80, 6, 30), (20, -6, 40)))
+    (found,) = of_kind(pad, "protrusion")
+    assert found.width == pytest.approx(0.080)
