@@ -20,7 +20,7 @@ _SYMBOLS = (("counterbore ", "⌴"), ("spotface ", "⌴SF "), ("countersink ", "
 """ISO 1101 and ASME Y14.5 write these for the words."""
 MOST_IDS = 10_000
 """In a run of ids: more than any model has of one kind."""
-_RUN = re.compile(r"(.+)-(\d{1,9})\.\.(\d{1,9})")
+_RUN = re.compile(r"([\w-]{1,80})-(\d{1,9})\.\.(\d{1,9})")
 _SECTIONS = (PartKind.COUNTERBORE, PartKind.SPOTFACE, PartKind.COUNTERSINK, PartKind.CHAMFER)
 
 Known = Mapping[str, Part]

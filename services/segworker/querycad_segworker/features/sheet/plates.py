@@ -178,8 +178,11 @@ def _side(across: _Across, face: FaceRecord, free_share: float = MOST, ledge: fl
     free = np.bincount(group, weights=np.array([length for length, _ in above])[owner])
     widest = np.flatnonzero(free[group] >= free.max() - ALIKE * whole)
     order = np.concatenate([each.first for each in ends])
-    highest = levels[widest].max() - across.near  # of several levels the nearest: the other leg of a U is across, too
-    first = min(widest[levels[widest] >= highest], key=lambda i: (owner[i], order[i]))
+    # Of several levels behind the face the nearest: the other leg of a U is across, too.
+    top = dot(face.point, face.axis)
+    behind = widest[levels[widest] < top - across.near]
+    nearest = behind[levels[behind] >= levels[behind].max() - across.near] if len(behind) else widest
+    first = min(nearest, key=lambda i: (owner[i], order[i]))
     if free[group[first]] <= free_share * whole:
         return None
     starts = np.cumsum([0, *counts])
