@@ -129,10 +129,8 @@ def main() -> int:
         here = [row for row in rows if row["change"] == change]
         told = [row for row in here if "problem" not in row]
         differ = sum(bool(row["lost"] or row["new"]) for row in told)
-        parts, lost, new = (
-            sum(row["parts"] for row in told),
-            *(sum(len(row[which]) for row in told) for which in ("lost", "new")),
-        )
+        parts = sum(row["parts"] for row in told)
+        lost, new = (sum(len(row[which]) for row in told) for which in ("lost", "new"))
         print(f"{change:<10} {len(told):>7} {differ:>7} {parts:>7} {lost:>6} {new:>6} {len(here) - len(told):>9}")
     if options.out:
         lines = [row for row in rows if "problem" in row or row["lost"] or row["new"]]
