@@ -5,6 +5,7 @@ Metres and radians; frame of the file. Face ids are positions in file order, edg
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 
 from querycad_contracts import Convexity, Matrix, SurfaceKind, Vector
 
-from .vectors import Box, around, box_union, scale, sub, unit
+from .vectors import Box, add, around, box_union, cross, scale, sub, unit
 
 REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
 """Surfaces that turn about an axis."""
@@ -58,6 +59,8 @@ class EdgeRecord:
     axis: Vector | None = None
     radius: float | None = None
     closed: bool = False
+    between: tuple[Vector, ...] = ()
+    """More points of what is no line and no arc, from its start to its end."""
 
     @property
     def points(self) -> tuple[Vector, Vector, Vector]:
@@ -225,7 +228,7 @@ class Brep:
 
     @cached_property
     def edge_points(self) -> tuple[tuple[Vector, ...], ...]:
-        """Which points span each edge? Its ends and middle; of a full circle, sixteen around it."""
+        """Which points span each edge? Its ends and middle, and `_around` it."""
         return tuple((*edge.points, *_around(edge)) for edge in self.edges)
 
     @cached_property
@@ -257,10 +260,15 @@ class Brep:
 
 
 def _around(edge: EdgeRecord) -> Sequence[Vector]:
-    """Sixteen points of a full circle; none of any other edge."""
-    if edge.center is None or edge.axis is None or edge.radius is None or not edge.closed:
+    """Sixteen points of a full circle; of an arc of more than half a turn, a quarter to both sides of its middle."""
+    if edge.center is None or edge.axis is None or edge.radius is None:
+        return edge.between
+    if edge.closed:
+        return around(edge.center, edge.axis, edge.radius, 16)
+    if edge.length <= math.pi * edge.radius:
         return ()
-    return around(edge.center, edge.axis, edge.radius, 16)
+    aside = cross(edge.axis, sub(edge.mid, edge.center))
+    return add(edge.center, aside), sub(edge.center, aside)
 
 
 def spread(start: Iterable[int], onwards: Callable[[int], Iterable[int]]) -> set[int]:

@@ -58,6 +58,9 @@ METRES_PER_MM = 1e-3
 ONCE_AROUND = math.radians(120.0)
 """A closed edge whose middle lies further than this around an axis from its start goes around the axis."""
 
+BETWEEN = (0.125, 0.25, 0.375, 0.625, 0.75, 0.875)
+"""Shares of the way along a curve where more points of it are taken; those of a whole ellipse include its corners."""
+
 _REVERSED = TopAbs_Orientation.TopAbs_REVERSED
 
 
@@ -90,6 +93,7 @@ class _EdgeData:
     box: Box
     uses: list[_EdgeUse]
     tangent: Vector
+    between: tuple[Vector, ...] = ()
 
 
 class FaceTable:
@@ -231,7 +235,9 @@ class FaceTable:
             length = float(GCPnts_AbscissaPoint.Length_s(adaptor))
             box = arc_box(circle, points, length) if circle else curve_box(adaptor)
         assert box is not None
-        return _EdgeData(kind, points, length, circle, box, [], unit(vector(tangent)))
+        free = BETWEEN if kind is EdgeKind.OTHER else ()
+        between = tuple(vector(adaptor.Value(first + share * (last - first))) for share in free)
+        return _EdgeData(kind, points, length, circle, box, [], unit(vector(tangent)), between)
 
     def _radii(self, surface: Surface, loops: Sequence[Loop]) -> tuple[float, float]:
         """(minor, main) radius; a cone's come from how far its edges reach along the axis."""
@@ -336,6 +342,7 @@ class FaceTable:
             axis=circle.axis if circle else None,
             radius=circle.radius * s if circle else None,
             closed=dist(data.points[0], data.points[2]) <= self.tolerances.length and data.length > 0,
+            between=tuple(scale(p, s) for p in data.between),
         )
 
     def _convexity(self, index: int, data: _EdgeData) -> tuple[EdgeConvexity, float]:

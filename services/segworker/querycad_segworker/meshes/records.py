@@ -160,6 +160,7 @@ class _Builder:
             axis=None if circle is None else vector_of(circle[1]),
             radius=None if circle is None else circle[2],
             closed=bool(closed),
+            between=tuple(map(vector_of, points[1:-1])) if kind is EdgeKind.OTHER else (),
         )
 
     def _is_straight(self, points: Array) -> bool:

@@ -29,6 +29,15 @@ def test_below_a_pocket_the_thinnest_place_counts() -> None:
     assert hollow.bottom_thickness == pytest.approx(5 * MM)
 
 
+@pytest.mark.parametrize(("side", "left"), [(0.0, 4.0), (40.0, 12.0)])
+def test_behind_a_wide_bottom_a_small_tip_counts(side: float, left: float) -> None:
+    """A round recess of 60 mm below, and above its middle, or beside it, a drilled hole."""
+    drilled = fuse(cylinder(2, 6, (side, 0, 0), DOWN), cone(2, 0, 2, (side, 0, -6), DOWN))
+    shape = cut(plate(120, 80, 20), drilled, cylinder(30, 8, (0, 0, -20)))
+    (recess,) = [part for part in find(shape).parts if part.kind in ("pocket", "hole") and (part.radius or 0) > 0.02]
+    assert recess.bottom_thickness == pytest.approx(left * MM)
+
+
 def test_below_a_head_and_below_a_slot_is_what_is_left_too() -> None:
     stepped = cut(plate(60, 40, 20), cylinder(4, 20, along=DOWN), cylinder(8, 6, along=DOWN))
     (seat,) = find(stepped).of("counterbore")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.segworker.shapes import box, compound, cut, filleted, find, fuse, turned, upright
+from tests.segworker.shapes import box, compound, cut, filleted, find, fuse, shifted, turned, upright
 
 
 def test_each_body_of_an_assembly_has_the_thickness_of_its_own_walls() -> None:
@@ -47,3 +47,42 @@ def test_rounded_edges_are_told_by_how_they_lie() -> None:
     lying = find(turned(filleted(block, 4.0, *upright(block)), (1, 0, 0), 90)).of("round")
     assert len(lying) == 4
     assert all("horizontal" in part.tags for part in lying)
+
+
+@pytest.mark.parametrize(("side", "thickness"), [(4.0, 0.004), (6.0, None)])
+def test_a_flange_around_its_opening_is_no_side_of_a_box(side: float, thickness: float | None) -> None:
+    """Three sides are 4 mm thick, the fourth is so or 6 mm; the flange and the floor are 9 mm."""
+    outside = fuse(box((100, 76 + side, 60)), box((140, 116 + side, 9), (-20, -20, 51)))
+    (body,) = find(cut(outside, box((92, 72, 60), (4, 4, 9)))).of("body")
+    assert body.thickness == (None if thickness is None else pytest.approx(thickness))
+
+
+@pytest.mark.parametrize("reach", [20.0, 43.0, 70.0])
+def test_a_floor_on_another_body_is_found(reach: float) -> None:
+    case = cut(box((80, 60, 30)), box((74, 54, 30), (3, 3, 3)))
+    (floor,) = find(compound(case, box((reach, 37, 15), (7, 11, -15)))).of("floor")
+    assert floor.thickness == pytest.approx(0.003)
+
+
+@pytest.mark.parametrize(("pad", "walls"), [(20.0, [0.004, 0.006]), (50.0, [0.004, 0.006, 0.009])])
+def test_a_small_pad_on_a_leg_makes_no_wall_of_both(pad: float, walls: list[float]) -> None:
+    angle = fuse(box((60, 40, 6)), box((4, 40, 50)))
+    found = find(fuse(angle, box((pad, 30, 3), (7, 5, 6))))
+    assert sorted(wall.thickness or 0.0 for wall in found.of("wall")) == pytest.approx(walls)
+
+
+@pytest.mark.parametrize(("low", "high", "count"), [(45.0, 105.0, 1), (55.0, 95.0, 0)])
+def test_a_wall_lies_behind_more_than_half_of_one_of_its_sides(low: float, high: float, count: int) -> None:
+    """A slab with a block below one end and one above the other: 57 % of its sides lie across from each other, 42 %."""
+    shape = fuse(box((150, 40, 6)), box((low, 40, 34), (0, 0, -34)), box((150 - high, 40, 34), (high, 0, 6)))
+    for by in ((0.0, 0.0, 0.0), (13.7, -4.2, 8.9)):
+        walls = find(shifted(shape, by)).of("wall")
+        assert sum(wall.thickness == pytest.approx(0.006) for wall in walls) == count
+
+
+def test_ends_of_walls_far_apart_are_no_wall() -> None:
+    """Two of the inner walls of a house end at one level, 30 mm before its outside."""
+    house = cut(box((200, 120, 40)), box((192, 112, 40), (4, 4, 4)))
+    rooms = fuse(house, box((4, 86, 40), (60, 30, 0)), box((4, 86, 40), (130, 30, 0)))
+    thick = {round((wall.thickness or 0.0) * 1e3, 3) for wall in find(rooms).of("wall")}
+    assert thick == {4.0}

@@ -6,6 +6,7 @@ import math
 from collections import defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain, permutations
 
 from querycad_contracts import Part, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
@@ -55,6 +56,8 @@ EDGE = 0.5
 of the wall between its flanks."""
 UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 """Slots that no fork has."""
+PAD = 0.5
+"""What stands on a wall and covers less than this share of what is left beside it is a pad, and no wall by itself."""
 TINE = 2.0
 """Tines are no thicker than so many widths of the gap between them."""
 
@@ -121,7 +124,8 @@ def recognise_flat_walls(
             if wall is not None:
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
                 (thin if wall.is_thin else low).append(wall)
-    low = [_as_tine(brep, wall, slots) for wall in low]
+    thin = [wall for wall in thin if not _is_pad(brep, wall, thin)]
+    low = [_as_tine(brep, wall, slots) for wall in low if not _is_pad(brep, wall, thin)]
     low = [
         wall
         for wall in low
@@ -147,6 +151,25 @@ def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
             sides = (face for face in cut.faces if abs(dot(brep.faces[face].axis, across)) > APART)
             found.update(dict.fromkeys(sides, min(reach, TINE * cut.width)))
     return found
+
+
+def _is_pad(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> bool:
+    """Is its smaller side the top of a pad on a thinner, larger wall, with the same face behind both?"""
+    small, large = _sides(brep, wall)
+    around = {i for face in small for i in brep.beside(face, EdgeConvexity.CONVEX)}
+    thinner = [_sides(brep, other) for other in others if exceeds(wall.thickness, other.thickness)]
+    for ground, behind in chain.from_iterable(permutations(sides) for sides in thinner):
+        less = sum(brep.faces[i].area for i in small) < PAD * sum(brep.faces[i].area for i in ground)
+        feet = {i for face in ground for i in brep.beside(face, EdgeConvexity.CONCAVE)}
+        if less and around and around <= feet and not large.isdisjoint(behind):
+            return True
+    return False
+
+
+def _sides(brep: Brep, wall: FlatWall) -> tuple[set[int], set[int]]:
+    """The faces of its smaller side, and those of the larger one."""
+    small = {i for i in wall.faces if dot(brep.faces[i].axis, wall.normal) > 0}
+    return small, {*wall.faces} - small
 
 
 def _as_tine(brep: Brep, wall: FlatWall, slots: Mapping[int, float]) -> FlatWall:
@@ -223,12 +246,14 @@ def _wall(
     length, width, _ = frame.size
     # The rim of a box is long and wide as a whole, but narrow: there the mean width counts.
     area = sum(face.area for face in small)
-    clear = width if area > FILLED * length * width else area / length
+    filled = area > FILLED * length * width
+    clear = width if filled else area / length
+    most = length if filled else max(_frame(brep, [face], thickness).size[1] for face in small)
     thin = not reaches(thickness, PLATE_RATIO * clear)
     low = not reaches(thickness, FLATTER * clear) and not reaches(thickness, PLATE_RATIO * length)
     near = faces if thickness < clear else [face.id for face in small]
-    beside, under = (max(most.get(face, 0.0) for face in near) for most in (aside, below))
-    if thickness <= 0 or not (thin or low or thickness < max(min(beside, length), under)):
+    beside, under = (max(deep.get(face, 0.0) for face in near) for deep in (aside, below))
+    if thickness <= 0 or not (thin or low or thickness < max(min(beside, most), under)):
         return None
     return FlatWall(
         thickness=thickness,
@@ -326,11 +351,15 @@ def besides_fins(bodies: Mapping[int, float], walls: Sequence[FlatWall]) -> dict
 
 
 def sides_of_boxes(walls: Sequence[FlatWall]) -> dict[int, float]:
-    """The thickness that the sides of each body share which is an open box, metres; its floor may be thicker."""
+    """The thickness that the sides of each body share which is an open box, metres; its floor may be thicker.
+
+    A flange around its opening lies along its floor, and is no side.
+    """
     found = {}
-    sides_of = [wall for wall in walls if wall.is_thin and not wall.is_floor and "fin" not in wall.tags]
-    for body in {wall.body for wall in walls if wall.is_floor}:
-        sides = [wall.thickness for wall in sides_of if wall.body == body]
+    floors = {wall.body: wall.normal for wall in walls if wall.is_floor}
+    for body, normal in floors.items():
+        own = (wall for wall in walls if wall.body == body and wall.is_thin and "fin" not in wall.tags)
+        sides = [wall.thickness for wall in own if abs(dot(wall.normal, normal)) < APART]
         if len(sides) >= BOX and max(sides) - min(sides) <= SAME * max(sides):
             found[body] = sides[0]
     return found

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from querycad_contracts import Bottom, Part, PartKind, SurfaceKind
+from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.shared.clearance import Ahead
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.topology import Brep, FaceRecord
@@ -121,7 +122,27 @@ def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict
     ways = -np.array([parts[i].normal for i in owners], dtype=np.float64)
     distances, ids = faces.met(np.concatenate(starts), ways)
     own = np.array([face in parts[i].faces for i, face in zip(owners, ids.tolist(), strict=True)])
-    return _least(which, distances, (ids >= 0) & ~own)
+    counts = (ids >= 0) & ~own
+    floors: dict[int, list[int]] = defaultdict(list)
+    for i in wanted:
+        for number in parts[i].faces:
+            if _looks(faces.records[number], parts[i].normal):
+                floors[number].append(i)
+    # What is small behind a wide bottom, as the tip of a drill, is met from there.
+    back = [
+        (i, distances[ray])
+        for ray in np.flatnonzero(counts).tolist()
+        for i in floors.get(int(ids[ray]), ())
+        if np.dot(ways[ray], np.array(parts[i].normal)) > FACES_UP
+    ]
+    which = np.concatenate([which, np.array([i for i, _ in back], dtype=np.int64)])
+    distances = np.concatenate([distances, np.array([distance for _, distance in back])])
+    return _least(which, distances, np.concatenate([counts, np.ones(len(back), dtype=np.bool_)]))
+
+
+def _looks(face: FaceRecord, towards: Vector | None) -> bool:
+    """Is it a plane that looks there?"""
+    return face.kind is SurfaceKind.PLANE and np.dot(face.axis, np.array(towards)) > FACES_UP
 
 
 def _with_floor(part: Part, brep: Brep) -> set[int]:
@@ -147,7 +168,7 @@ def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[
         low, high = np.array(face.box)
         lowest = origin + axis * np.dot(axis, (low + high) / 2 - origin) - face.radius * out
         return lowest[None] if np.all((lowest > low - LEVEL_M) & (lowest < high + LEVEL_M)) else np.zeros((0, 3))
-    if face.kind is SurfaceKind.PLANE and np.dot(face.axis, out) > FACES_UP:
+    if _looks(face, part.normal):
         corners = mesh.vertices_m[mesh.triangles[triangles]]
         sizes = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
         middles: Reals = corners[np.argsort(-sizes, kind="stable")[:MOST_STARTS]].mean(axis=1)

@@ -26,6 +26,11 @@ SHEET_RATIO = 0.2
 """A sheet is thinner than this share of the model's second largest extent; thicker ones are blocks."""
 SAME = 0.01
 """Thicknesses that differ by less than 1 % are one: far below sheet tolerances (EN 10051: some 5 %)."""
+PIECES = 48
+"""A triangle of a plane face is cut in pieces until none has more than one part in so many of the face: what lies
+behind half of a face lies behind half of the pieces, to some per cent."""
+CUTS = 4
+"""Each cut makes four of one, at most so many times: 256 rays for a triangle."""
 MOSTLY = 0.5
 """Plane faces speak for the whole where they are more than this share of the surface."""
 
@@ -60,9 +65,9 @@ NO_THICKNESS = Thickness()
 def material_thickness(brep: Brep, mesh: Mesh, scene: Scene) -> Thickness:
     """Which thickness do the sheets or walls have that the model and each of its bodies are made of?
 
-    From the middle of each triangle a ray goes straight into the material, to the face on the other side. Where the two
-    run alongside each other, as parallel planes or coaxial cylinders do, their distance is the wall's, weighted by the
-    triangle's area. Where no thickness is shared by most of all faces, the plane ones decide.
+    From the middle of each triangle, or piece of one, a ray goes straight into the material, to the face on the other
+    side. Where the two run alongside each other, as parallel planes or coaxial cylinders do, their distance is the
+    wall's, weighted by the area. Where no thickness is shared by most of all faces, the plane ones decide.
     """
     depths = _depths(brep, mesh, scene)
     owners = np.array([face.body for face in brep.faces], dtype=np.int64)[depths.faces]
@@ -91,18 +96,20 @@ def _opposite(depths: Depths, plane: NDArray[np.bool_]) -> dict[tuple[int, int],
 
 def _depths(brep: Brep, mesh: Mesh, scene: Scene) -> Depths:
     """What lies behind the triangles, but for those behind which nothing lies."""
-    corners = mesh.vertices_m[mesh.triangles]
+    corners, faces = _pieces(brep, mesh)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     doubled = np.linalg.norm(normals, axis=1)
     solid = doubled > 0
-    faces = mesh.triangle_face[solid]
+    faces = faces[solid]
     normals = normals[solid] / doubled[solid, None]
     planes = np.array([face.axis if face.kind is SurfaceKind.PLANE else (0.0, 0.0, 0.0) for face in brep.faces])
     flat = planes[faces].any(axis=1) if len(faces) else np.zeros(0, dtype=np.bool_)
     normals[flat] = planes[faces[flat]]
-    distances, beyond = scene.ahead(corners[solid].mean(axis=1), -normals)
+    middles = corners[solid].mean(axis=1)
+    distances, beyond = scene.ahead(middles, -normals)
     reached = np.isfinite(distances)
     faces, beyond, distances = faces[reached], beyond[reached], distances[reached]
+    _keep_to_body(brep, faces, beyond, middles[reached] - distances[:, None] * normals[reached])
     walls = np.full(len(faces), NO_WALL)
     pairs, index = np.unique(faces.astype(np.int64) * len(brep.faces) + beyond, return_inverse=True)
     if len(pairs):
@@ -112,6 +119,43 @@ def _depths(brep: Brep, mesh: Mesh, scene: Scene) -> Depths:
         walls = np.where(np.isnan(gaps), distances, gaps)
     starts = corners[solid][reached]
     return Depths(faces, beyond, doubled[solid][reached] / 2, distances, walls, starts, normals[reached])
+
+
+def _pieces(brep: Brep, mesh: Mesh) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+    """The triangles as corners (N, 3, 3) and face ids (N,); those of plane faces in pieces, as `PIECES` says."""
+    corners, faces = mesh.vertices_m[mesh.triangles], mesh.triangle_face
+    most = np.array([f.area / PIECES if f.kind is SurfaceKind.PLANE else np.inf for f in brep.faces])
+    for _ in range(CUTS):
+        across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        large = np.linalg.norm(across, axis=1) / 2 > most[faces]
+        if not large.any():
+            break
+        a, b, c = corners[large].transpose(1, 0, 2)
+        ab, bc, ca = (a + b) / 2, (b + c) / 2, (c + a) / 2
+        four = [np.stack(piece, axis=1) for piece in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
+        corners = np.concatenate([corners[~large], *four])
+        faces = np.concatenate([faces[~large], *[faces[large]] * 4])
+    return corners, faces
+
+
+def _keep_to_body(brep: Brep, faces: NDArray[np.int32], beyond: NDArray[np.int32], ends_m: NDArray[np.float64]) -> None:
+    """Where another body lies against the own one, a ray ends at either: `beyond` is the own one's face afterwards.
+
+    `ends_m`: (N, 3), where the rays from `faces` end.
+    """
+    bodies = np.array([face.body for face in brep.faces])
+    lows, highs = (np.array([face.box[end] for face in brep.faces]) for end in (0, 1))
+    tolerances = Tolerances.for_diagonal(dist(*brep.box))
+    near = 10 * tolerances.length
+    strange = np.flatnonzero(bodies[faces] != bodies[beyond])
+    pairs, index = np.unique(np.stack([bodies[faces[strange]], beyond[strange]]), axis=1, return_inverse=True)
+    for number, (body, other) in enumerate(pairs.T):
+        own = (bodies == body) & (lows <= highs[other] + near).all(axis=1) & (highs >= lows[other] - near).all(axis=1)
+        rays = strange[index.ravel() == number]
+        for face in np.flatnonzero(own):
+            if gap(brep.faces[face], brep.faces[other], tolerances) <= near:
+                there = (ends_m[rays] >= lows[face] - near) & (ends_m[rays] <= highs[face] + near)
+                beyond[rays[there.all(axis=1)]] = face
 
 
 def _shared(box: Box, depths: Depths, plane: NDArray[np.bool_]) -> float | None:

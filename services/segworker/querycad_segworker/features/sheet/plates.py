@@ -17,7 +17,7 @@ from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_box
 from querycad_segworker.features.shared.walls import REVOLVED
 from querycad_segworker.tolerances import Tolerances, reaches, significant
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import (
     add,
     box_center,
@@ -42,7 +42,8 @@ BASE_FREE = 0.9
 """More than this share of a base's outline is free."""
 BASE_LEDGE, BASE_BARE = 0.25, 0.9
 """Between these shares of a base's face have another one across from it; on the rest stands what it carries."""
-
+DISC = 0.75
+"""Round by so much of a turn it is a disc, which is a boss; a plate with one round end is round by less."""
 ALIKE = 1e-9
 """Lengths of outline, as shares of it, that differ by less differ by rounding."""
 
@@ -272,6 +273,11 @@ def _level_box(around: tuple[Vector, Vector], own: tuple[Vector, Vector], normal
     return low, high
 
 
+def _is_slit_disc(rim: Sequence[EdgeRecord]) -> bool:
+    """Is most of an outline one arc, as of a ring with a slit?"""
+    return any(edge.radius and edge.length > DISC * 2 * math.pi * edge.radius for edge in rim)
+
+
 def _plate(brep: Brep, side: _Side, tolerances: Tolerances, ratio: float = PLATE_RATIO) -> Prism | None:
     face = side.face
     top = dot(face.point, face.axis)
@@ -281,7 +287,7 @@ def _plate(brep: Brep, side: _Side, tolerances: Tolerances, ratio: float = PLATE
     broken = {i for edge in rim for i in edge.faces if i != face.id and breaks_edge(brep, face, edge, brep.faces[i])}
     frame = frame_of_edges(brep, {edge.id for edge in rim} | brep.edges_of(broken), face.axis, None)
     length, width, _ = frame.size
-    if thickness <= 0 or reaches(thickness, ratio * width) or outline == "circular":
+    if thickness <= 0 or reaches(thickness, ratio * width) or outline == "circular" or _is_slit_disc(rim):
         return None
     down = scale(face.axis, -thickness)
     low, high_corner = _level_box(faces_box(brep, {face.id, *broken}), faces_box(brep, (face.id,)), face.axis)
