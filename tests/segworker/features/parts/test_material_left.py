@@ -38,6 +38,14 @@ def test_behind_a_wide_bottom_a_small_tip_counts(side: float, left: float) -> No
     assert recess.bottom_thickness == pytest.approx(left * MM)
 
 
+@pytest.mark.parametrize(("aside", "left"), [(7.0, 4.0), (33.0, 12.0)])
+def test_above_a_cross_bore_the_thinnest_place_counts(aside: float, left: float) -> None:
+    """A bore of 8 mm that runs 8 mm below the floor of a pocket, or beside it."""
+    shape = cut(plate(60, 80, 20), box((30, 40, 8), (-15, -20, -8)), cylinder(4, 60, (-30, aside, -16), (1, 0, 0)))
+    (pocket,) = find(shape).of("pocket")
+    assert pocket.bottom_thickness == pytest.approx(left * MM)
+
+
 def test_below_a_head_and_below_a_slot_is_what_is_left_too() -> None:
     stepped = cut(plate(60, 40, 20), cylinder(4, 20, along=DOWN), cylinder(8, 6, along=DOWN))
     (seat,) = find(stepped).of("counterbore")

@@ -12,7 +12,7 @@ from querycad_segworker.features.shared.extruded_walls import first_of_surface
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import add, cross, dot, norm, parallel, scale, span, sub, unit
+from querycad_segworker.vectors import add, cross, dot, line_distance, norm, parallel, scale, span, sub, unit
 
 from .depression import Depression, DepressionKind, depression_in
 
@@ -38,6 +38,8 @@ MUCH = 0.25
 
 LEVEL_RIMS = 0.8
 """The flanks of a dovetail end at one face, so they are equally high, but for a chamfer along one of them."""
+DISC_RAD = math.radians(270.0)
+"""A disc whose middle lies below the surface cuts more than half a turn; hardly so much that it could not come out."""
 NECK_SHARE = 1 / 3
 """The mouth of a dovetail or T slot is at least this share as wide as its bottom: what slides in it has to pull. T
 slots of DIN 650 have half. A narrower mouth is where another cut opens a pocket."""
@@ -300,7 +302,10 @@ def _beside(brep: Brep, flank: FaceRecord, along: Vector, out: Vector) -> list[F
 
 
 def woodruff(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depression | None:
-    """Two parallel walls on a floor that is part of a cylinder across them: cut by a disc, as for a Woodruff key."""
+    """Two parallel walls on a floor that is part of a cylinder across them: cut by a disc, as for a Woodruff key.
+
+    Where the walls end at a cylinder about the same axis it is a groove in half a bore, as deep as it is larger.
+    """
     rounds = brep.of_kind(SurfaceKind.CYLINDER, group)
     if len(planes) != 2 or len(rounds) != 1 or not parallel(rounds[0].axis, planes[0].axis, 1e-2):
         return None
@@ -311,6 +316,18 @@ def woodruff(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depre
     if abs(dot(sub(pair[1].point, pair[0].point), pair[0].axis)) > 2 * bottom.radius:
         refuse("slot", group, "it is wider than the disc that would have cut it")
         return None
+    if bottom.sweep > DISC_RAD:
+        refuse("slot", group, "its bottom goes around its axis: a groove in a bore that another one opens")
+        return None
     frame = frame_of(brep, group, bottom.point_normal, None, unit(cross(bottom.axis, bottom.point_normal)))
     slot = depression_in(DepressionKind.SLOT, "rectangular", frame, group, (bottom.id,), bottom.body, is_open=True)
+    around = {i for wall in pair for i in brep.beside(wall.id, EdgeConvexity.CONVEX)}
+    bores = brep.of_kind(SurfaceKind.CYLINDER, around)
+    bore = next((one for one in bores if _coaxial(one, bottom)), None)
+    if bore is not None:
+        return replace(slot, corner_radius=bottom.radius, depth=bottom.radius - bore.radius)
     return replace(slot, corner_radius=bottom.radius, tags=("woodruff",))
+
+
+def _coaxial(a: FaceRecord, b: FaceRecord) -> bool:
+    return parallel(a.axis, b.axis, 1e-2) and line_distance(a.origin, b.origin, b.axis) < SQUARE * a.radius

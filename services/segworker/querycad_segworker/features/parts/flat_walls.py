@@ -59,7 +59,8 @@ UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 PAD = 0.5
 """What stands on a wall and covers less than this share of what is left beside it is a pad, and no wall by itself."""
 TINE = 2.0
-"""Tines are no thicker than so many widths of the gap between them."""
+"""Tines are no thicker than so many widths of the gap between them; nor is a wall beside a pocket, of that side of it
+which is the smaller one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -248,12 +249,13 @@ def _wall(
     area = sum(face.area for face in small)
     filled = area > FILLED * length * width
     clear = width if filled else area / length
-    most = length if filled else max(_frame(brep, [face], thickness).size[1] for face in small)
+    widest = TINE * width if filled else max(_frame(brep, [face], thickness).size[1] for face in small)
     thin = not reaches(thickness, PLATE_RATIO * clear)
     low = not reaches(thickness, FLATTER * clear) and not reaches(thickness, PLATE_RATIO * length)
     near = faces if thickness < clear else [face.id for face in small]
     beside, under = (max(deep.get(face, 0.0) for face in near) for deep in (aside, below))
-    if thickness <= 0 or not (thin or low or thickness < max(min(beside, most), under)):
+    under = under if filled else min(under, widest)
+    if thickness <= 0 or not (thin or low or thickness < max(min(beside, length, widest), under)):
         return None
     return FlatWall(
         thickness=thickness,

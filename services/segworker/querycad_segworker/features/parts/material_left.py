@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -111,33 +112,73 @@ def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict
     first = np.searchsorted(mesh.triangle_face[order], np.arange(len(faces.records) + 1))
     starts: list[Reals] = []
     owners: list[int] = []
+    floors: dict[int, list[int]] = defaultdict(list)
     for i in wanted:
         for face in (faces.records[f] for f in _with_floor(parts[i], brep)):
             points = _bottom_points(parts[i], face, mesh, order[first[face.id] : first[face.id + 1]])
             starts.append(points)
             owners += [i] * len(points)
-    which = np.array(owners, dtype=np.int64)
-    if not len(which):
-        return {}
-    ways = -np.array([parts[i].normal for i in owners], dtype=np.float64)
-    distances, ids = faces.met(np.concatenate(starts), ways)
-    own = np.array([face in parts[i].faces for i, face in zip(owners, ids.tolist(), strict=True)])
-    counts = (ids >= 0) & ~own
-    floors: dict[int, list[int]] = defaultdict(list)
-    for i in wanted:
-        for number in parts[i].faces:
-            if _looks(faces.records[number], parts[i].normal):
-                floors[number].append(i)
+            if _looks(face, parts[i].normal):
+                floors[face.id].append(i)
+    rays = _Rays.of(parts, faces, np.array(owners, dtype=np.int64), np.concatenate(starts))
+    more = _Rays.of(parts, faces, *_nearest(parts, faces, floors, rays))
     # What is small behind a wide bottom, as the tip of a drill, is met from there.
     back = [
-        (i, distances[ray])
-        for ray in np.flatnonzero(counts).tolist()
-        for i in floors.get(int(ids[ray]), ())
-        if np.dot(ways[ray], np.array(parts[i].normal)) > FACES_UP
+        (i, rays.distances[ray])
+        for ray in np.flatnonzero(rays.leaves).tolist()
+        for i in floors.get(int(rays.ids[ray]), ())
+        if np.dot(rays.ways[ray], np.array(parts[i].normal)) > FACES_UP
     ]
-    which = np.concatenate([which, np.array([i for i, _ in back], dtype=np.int64)])
-    distances = np.concatenate([distances, np.array([distance for _, distance in back])])
-    return _least(which, distances, np.concatenate([counts, np.ones(len(back), dtype=np.bool_)]))
+    which = np.concatenate([rays.owners, more.owners, np.array([i for i, _ in back], dtype=np.int64)])
+    distances = np.concatenate([rays.distances, more.distances, np.array([distance for _, distance in back])])
+    return _least(which, distances, np.concatenate([rays.leaves, more.leaves, np.ones(len(back), dtype=np.bool_)]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Rays:
+    """From bottoms into the material, against the normals of their parts. `leaves`: out of it, not back to the part."""
+
+    owners: Ids
+    starts: Reals
+    ways: Reals
+    distances: Reals
+    ids: Ids
+    leaves: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, parts: Sequence[Part], faces: _Faces, owners: Ids, starts: Reals) -> _Rays:
+        """Those from these starts, (N, 3)."""
+        ways = -np.array([parts[i].normal for i in owners], dtype=np.float64).reshape(-1, 3)
+        distances, ids = faces.met(starts, ways)
+        own = np.array([f in parts[i].faces for i, f in zip(owners, ids.tolist(), strict=True)], dtype=np.bool_)
+        return cls(owners, starts, ways, distances, ids, (ids >= 0) & ~own)
+
+
+def _nearest(
+    parts: Sequence[Part], faces: _Faces, floors: Mapping[int, Sequence[int]], rays: _Rays
+) -> tuple[Ids, Reals]:
+    """Points of the bottoms straight before what is round behind them, where it comes nearest; and their owners.
+
+    `floors`: the parts that have a plane face as bottom.
+    """
+    found = []
+    for ray in np.flatnonzero(rays.leaves).tolist():
+        behind, i = faces.records[rays.ids[ray]], int(rays.owners[ray])
+        if behind.kind not in (SurfaceKind.CYLINDER, SurfaceKind.SPHERE) or not parts[i].depth:
+            continue
+        aside = np.array(behind.origin) - rays.starts[ray]
+        for way in (rays.ways[ray], *([np.array(behind.axis)] if behind.kind is SurfaceKind.CYLINDER else [])):
+            aside = aside - np.dot(aside, way) * way
+        found.append((i, rays.starts[ray] + aside))
+    if not found:
+        return np.zeros(0, dtype=np.int64), np.zeros((0, 3))
+    owners, points = np.array([i for i, _ in found], dtype=np.int64), np.array([point for _, point in found])
+    normals = np.array([parts[i].normal for i in owners])
+    lifts = np.array([parts[i].depth for i in owners]) / 2
+    depths, ids = faces.met(points + lifts[:, None] * normals, -normals)  # from within the cut: is it on the bottom?
+    on_floor = [owner in floors.get(face, ()) for owner, face in zip(owners.tolist(), ids.tolist(), strict=True)]
+    chosen = np.array(on_floor, dtype=np.bool_) & (np.abs(depths - lifts) < LEVEL_M)
+    return owners[chosen], points[chosen]
 
 
 def _looks(face: FaceRecord, towards: Vector | None) -> bool:

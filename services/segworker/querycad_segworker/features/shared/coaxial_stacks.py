@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
@@ -15,6 +15,11 @@ from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRec
 from querycad_segworker.vectors import cross, dot, norm, parallel, wrapped
 
 from .walls import Axis, Wall
+
+AROUND_RAD = math.radians(200.0)
+"""What goes around an axis for so much holds what is put into it, as `Wall.encloses` says."""
+SQUARE = 1e-2
+"""Sine of the angle by which a shoulder may lean against the plane square to the axis."""
 
 
 class End(StrEnum):
@@ -143,7 +148,8 @@ def _joined_by(
 ) -> set[int]:
     """The two coaxial walls between which a plane face is the shoulder: its outer boundary and one inside it are rims.
 
-    Other holes in the ring, as those of a flange, do not part the walls.
+    Other holes in the ring, as those of a flange, do not part the walls. Nor does a slit or a cross hole that opens the
+    ring: then both rims are parts of one boundary, and go around the axis for more than `AROUND_RAD`.
     """
     outer = [i for loop in face.loops if loop.outer for i in _rim_of(face, loop, brep, members, owner)]
     inner = [i for loop in face.loops if not loop.outer for i in _rim_of(face, loop, brep, members, owner)]
@@ -151,6 +157,14 @@ def _joined_by(
         for second in inner:
             if first != second and members[first].axis.same_line(members[second].axis, tolerances):
                 return {first, second}
+    turns: dict[int, float] = defaultdict(float)
+    for e in face.loops[0].edges if face.loops else ():
+        for i in {owner[other] for other in brep.edges[e].faces if other != face.id and other in owner}:
+            if parallel(face.axis, members[i].axis.direction, SQUARE):
+                turns[i] += winding(members[i].axis, brep.edges[e])
+    for first, second in combinations([i for i, turn in turns.items() if turn > AROUND_RAD], 2):
+        if members[first].axis.same_line(members[second].axis, tolerances):
+            return {first, second}
     return set()
 
 
@@ -163,7 +177,7 @@ def _rim_of(face: FaceRecord, loop: Loop, brep: Brep, members: Sequence[Wall], o
         length += edge.length
         others = [owner[other] for other in edge.faces if other != face.id and other in owner]
         covered += edge.length if others else 0.0
-        walls_of_loop.update(i for i in others if parallel(face.axis, members[i].axis.direction, 1e-2))
+        walls_of_loop.update(i for i in others if parallel(face.axis, members[i].axis.direction, SQUARE))
     return walls_of_loop if len(walls_of_loop) == 1 and covered >= 0.5 * length else set()
 
 
