@@ -115,13 +115,13 @@ def recognise_flat_walls(
     }
     slots = _forks(brep, depressions)
     pockets = {face: depressions[n] for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
-    aside = {face: FLATTER * pocket.depth for face, pocket in pockets.items()} | slots
+    aside = {face: FLATTER * pocket.depth for face, pocket in pockets.items()}
     below = {face: FLATTER * found.depth for found in floored for face in found.floor}
     thin: list[FlatWall] = []
     low: list[FlatWall] = []
     for pairs in alike.values():
         for faces in linked({i for pair in pairs for i in pair}, pairs):
-            wall = _wall(brep, faces, aside, below)
+            wall = _wall(brep, faces, slots, aside, below)
             if wall is not None:
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
                 (thin if wall.is_thin else low).append(wall)
@@ -223,11 +223,16 @@ def _gap(brep: Brep, a: int, b: int) -> float:
 
 
 def _wall(
-    brep: Brep, faces: Collection[int], aside: Mapping[int, float], below: Mapping[int, float]
+    brep: Brep,
+    faces: Collection[int],
+    slots: Mapping[int, float],
+    aside: Mapping[int, float],
+    below: Mapping[int, float],
 ) -> FlatWall | None:
     """The wall between the faces that look one way and those that look the other; None where it is too thick.
 
-    `aside`, `below`: how thick it may be beside a slot or pocket, and below the floor of one, metres, by their faces.
+    `slots`, `aside`, `below`: how thick it may be beside the slot of a fork, beside a pocket, and below the floor of
+    one, metres, by their faces.
     What is thicker than it is long and wide is a block beside a pocket, no wall; and where it is thicker than its
     smaller side is wide, that side is the pocket's: no wall lies behind the rim of a flange, nor under a rib.
     """
@@ -253,9 +258,9 @@ def _wall(
     thin = not reaches(thickness, PLATE_RATIO * clear)
     low = not reaches(thickness, FLATTER * clear) and not reaches(thickness, PLATE_RATIO * length)
     near = faces if thickness < clear else [face.id for face in small]
-    beside, under = (max(deep.get(face, 0.0) for face in near) for deep in (aside, below))
+    tine, beside, under = (max(deep.get(face, 0.0) for face in near) for deep in (slots, aside, below))
     under = under if filled else min(under, widest)
-    if thickness <= 0 or not (thin or low or thickness < max(min(beside, length, widest), under)):
+    if thickness <= 0 or not (thin or low or thickness < max(min(tine, length), min(beside, length, widest), under)):
         return None
     return FlatWall(
         thickness=thickness,
