@@ -59,8 +59,8 @@ UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 PAD = 0.5
 """What stands on a wall and covers less than this share of what is left beside it is a pad, and no wall by itself."""
 TINE = 2.0
-"""Tines are no thicker than so many widths of the gap between them; nor is a wall beside a pocket, of that side of it
-which is the smaller one."""
+"""Tines are no thicker than so many widths of the gap between them, and a wall beside a pocket than so many widths of
+the smaller of its sides."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +158,8 @@ def _is_pad(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> bool:
     """Is its smaller side the top of a pad on a thinner, larger wall, with the same face behind both?"""
     small, large = _sides(brep, wall)
     around = {i for face in small for i in brep.beside(face, EdgeConvexity.CONVEX)}
-    thinner = [_sides(brep, other) for other in others if exceeds(wall.thickness, other.thickness)]
+    before = (other for other in others if not large.isdisjoint(other.faces))
+    thinner = [_sides(brep, other) for other in before if exceeds(wall.thickness, other.thickness)]
     for ground, behind in chain.from_iterable(permutations(sides) for sides in thinner):
         less = sum(brep.faces[i].area for i in small) < PAD * sum(brep.faces[i].area for i in ground)
         feet = {i for face in ground for i in brep.beside(face, EdgeConvexity.CONCAVE)}

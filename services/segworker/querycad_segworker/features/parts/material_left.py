@@ -120,7 +120,7 @@ def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict
             owners += [i] * len(points)
             if _looks(face, parts[i].normal):
                 floors[face.id].append(i)
-    rays = _Rays.of(parts, faces, np.array(owners, dtype=np.int64), np.concatenate(starts))
+    rays = _Rays.of(parts, faces, np.array(owners, dtype=np.int64), np.concatenate([np.zeros((0, 3)), *starts]))
     more = _Rays.of(parts, faces, *_nearest(parts, faces, floors, rays))
     # What is small behind a wide bottom, as the tip of a drill, is met from there.
     back = [

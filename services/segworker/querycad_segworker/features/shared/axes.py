@@ -16,6 +16,8 @@ from querycad_segworker.vectors import Box, across, add, dot, line_distance, par
 SWEEP = unit((0.8317, 0.4561, 0.3163))
 """Lines are sorted by where their foot lies along this direction and compared with near ones only. No common
 feature axis is at right angles to it, so that different lines get different keys."""
+ENCLOSES_RAD = math.radians(200.0)
+"""What goes around an axis for so much, clearly more than half of the circle, holds a cylinder that is put into it."""
 T = TypeVar("T")
 
 
@@ -103,8 +105,8 @@ class Wall:
 
     @property
     def encloses(self) -> bool:
-        """Does it hold a cylinder put into it, that is cover clearly more than half of the circle?"""
-        return self.sweep > math.radians(200)
+        """Does it hold a cylinder put into it?"""
+        return self.sweep > ENCLOSES_RAD
 
 
 def by_line(

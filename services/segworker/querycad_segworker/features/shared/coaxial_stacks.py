@@ -14,10 +14,9 @@ from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord, Loop, linked
 from querycad_segworker.vectors import cross, dot, norm, parallel, wrapped
 
+from .axes import ENCLOSES_RAD
 from .walls import Axis, Wall
 
-AROUND_RAD = math.radians(200.0)
-"""What goes around an axis for so much holds what is put into it, as `Wall.encloses` says."""
 SQUARE = 1e-2
 """Sine of the angle by which a shoulder may lean against the plane square to the axis."""
 
@@ -149,7 +148,7 @@ def _joined_by(
     """The two coaxial walls between which a plane face is the shoulder: its outer boundary and one inside it are rims.
 
     Other holes in the ring, as those of a flange, do not part the walls. Nor does a slit or a cross hole that opens the
-    ring: then both rims are parts of one boundary, and go around the axis for more than `AROUND_RAD`.
+    ring: then both rims are parts of one boundary, and go around the axis for more than `ENCLOSES_RAD`.
     """
     outer = [i for loop in face.loops if loop.outer for i in _rim_of(face, loop, brep, members, owner)]
     inner = [i for loop in face.loops if not loop.outer for i in _rim_of(face, loop, brep, members, owner)]
@@ -162,7 +161,7 @@ def _joined_by(
         for i in {owner[other] for other in brep.edges[e].faces if other != face.id and other in owner}:
             if parallel(face.axis, members[i].axis.direction, SQUARE):
                 turns[i] += winding(members[i].axis, brep.edges[e])
-    for first, second in combinations([i for i, turn in turns.items() if turn > AROUND_RAD], 2):
+    for first, second in combinations([i for i, turn in turns.items() if turn > ENCLOSES_RAD], 2):
         if members[first].axis.same_line(members[second].axis, tolerances):
             return {first, second}
     return set()
