@@ -79,6 +79,39 @@ def test_two_flats_on_a_shaft_are_a_wrench_size_and_tangent_planes_are_not() -> 
     assert all(boss.across_flats is None for boss in find(web).of("boss"))
 
 
+def test_a_d_is_as_wide_as_from_its_flat_to_the_round_opposite() -> None:
+    key = box((10, 10, 60), (-5, 2, -1))
+    bored = cut(cylinder(10, 20), cut(cylinder(4, 40, (0, 0, 5)), key))
+    shaft = cut(cylinder(4, 40), key)
+    assert find(bored).hole.across_flats == pytest.approx(6 * MM)
+    assert [boss.across_flats for boss in find(shaft).of("boss")] == pytest.approx([6 * MM])
+    flats = cut(cylinder(4, 40, (0, 0, 5)), key, box((10, 10, 60), (-5, -12, -1)))
+    assert find(cut(cylinder(10, 20), flats)).hole.across_flats == pytest.approx(4 * MM)
+    keyed = cut(cylinder(10, 20), cylinder(4, 40, (0, 0, -5)), box((2, 6, 40), (-1, 0, -5)))
+    assert find(keyed).hole.across_flats is None
+
+
+def rail(foot: float, top: float, end: float = 0.0) -> TopoDS_Shape:
+    """A block, 60 wide and 80 long, with a rail on it that is 10 high, `foot` wide below and `top` above.
+
+    `end`: so far it stops short of both ends of the block.
+    """
+    half, over = foot / 2, top / 2
+    section = [(-half, end, 30.0), (half, end, 30.0), (over, end, 40.0), (-over, end, 40.0)]
+    return fuse(box((60, 80, 30), (-30, 0, 0)), prism(section, (0.0, 80.0 - 2 * end, 0.0)))
+
+
+def test_a_dovetail_rail_has_its_widths_at_the_foot_and_at_the_top() -> None:
+    for shape in (rail(24, 36), turned(rail(24, 36, 5), (0.3, 0.5, 0.8), 40.0)):
+        (found,) = (
+            one for kind in ("elevation", "protrusion") for one in find(shape).of(kind) if "dovetail" in one.tags
+        )
+        assert (found.bottom_width, found.mouth_width) == pytest.approx((24 * MM, 36 * MM))
+        assert found.height == pytest.approx(10 * MM)
+    for plain in (rail(24, 24), rail(36, 24)):
+        assert all(one.bottom_width is None for kind in ("elevation", "protrusion") for one in find(plain).of(kind))
+
+
 def test_a_square_bar_has_them_across_its_length_and_a_flat_one_does_not() -> None:
     for shape in (box((10, 10, 60)), turned(box((60, 10, 10)), (0.3, 0.5, 0.8), 40.0)):
         (bar,) = find(shape).of("prism")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
-from tests.segworker.shapes import box, chamfered, cut, cylinder, edges, find, fuse, plate, scaled, turned
+from tests.segworker.shapes import box, chamfered, cut, cylinder, edges, extruded, find, fuse, plate, scaled, turned
 
 MM = 1e-3
 
@@ -155,6 +155,40 @@ def test_a_t_slot_is_wider_at_its_floor() -> None:
     (found,) = find(slot).of("slot")
     assert found.local_size is not None
     assert (found.width, min(found.local_size[:2])) == pytest.approx((14 * MM, 24 * MM))
+
+
+def profile(neck: float) -> TopoDS_Shape:
+    """An extruded bar with a slot whose walls slant to its floor, 8 wide and 9 deep, behind a mouth of `neck`."""
+    half = neck / 2
+    slot = [(half, 15.5), (half, 12.8), (8, 12.8), (8, 10.5), (4, 6), (-4, 6), (-8, 10.5), (-8, 12.8)]
+    slot += [(-half, 12.8), (-half, 15.5)]
+    bar = [(-15.0, -15.0), (15.0, -15.0), (15.0, 15.0), (-15.0, 15.0)]
+    return cut(extruded(bar, 0, 100), extruded(slot, -1, 102))
+
+
+def test_the_slot_of_an_extruded_profile_is_a_t_slot_with_slanting_corners() -> None:
+    (slot,) = find(profile(8.0)).of("slot")
+    assert "t_slot" in slot.tags
+    assert (slot.width, slot.mouth_width, slot.bottom_width) == pytest.approx((8 * MM, 8 * MM, 16 * MM))
+    assert (slot.depth, slot.length) == pytest.approx((9 * MM, 100 * MM))
+    assert not [part for part in find(profile(3.0)).of("slot") if "t_slot" in part.tags]
+
+
+def test_a_round_notch_in_a_plate_that_is_deeper_than_wide_leaves_tines() -> None:
+    strap = plate(80, 40, 10)
+    for reach, count in ((30, 2), (10, 0)):
+        notch = fuse(box((reach + 5, 24, 20), (40 - reach, -12, -15)), cylinder(12, 20, (40 - reach, 0, -15)))
+        tines = [wall for wall in find(cut(strap, notch)).of("wall") if "tine" in wall.tags]
+        assert [tine.thickness for tine in tines] == pytest.approx([8 * MM] * count)
+
+
+def test_the_bar_between_two_windows_is_a_wall_though_it_is_wider_than_thick() -> None:
+    first, second = (box((40, 40, 20), (x, -20, -15)) for x in (-50, 10))
+    (bar,) = (wall for wall in find(cut(plate(120, 60, 10), first, second)).of("wall") if "between" in wall.tags)
+    assert (bar.thickness, bar.length) == pytest.approx((20 * MM, 40 * MM))
+    apart = cut(plate(160, 60, 10), first, box((40, 40, 20), (35, -20, -15)))
+    for shape in (apart, cut(plate(120, 60, 10), first)):
+        assert not [part for part in find(shape).parts if "between" in part.tags]
 
 
 def test_bosses_on_two_walls_of_a_hollow_body_are_no_hub_through_it() -> None:

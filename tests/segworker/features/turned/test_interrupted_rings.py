@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import box, cut, cylinder, find
+from tests.segworker.shapes import box, cone, cut, cylinder, find, fuse
 
 MM = 1e-3
 X = (1.0, 0.0, 0.0)
@@ -54,3 +54,11 @@ def test_a_groove_in_half_a_bore_is_no_woodruff_seat() -> None:
     slots = [slot for slot in find(half).of("slot") if slot.width == pytest.approx(8 * MM)]
     assert [slot.depth for slot in slots] == pytest.approx([4 * MM] * 2)
     assert not any("woodruff" in slot.tags for slot in slots)
+
+
+def test_a_slot_through_the_end_of_a_shaft_leaves_its_chamfer() -> None:
+    shaft = fuse(cylinder(10, 38), cone(10, 8, 2, (0, 0, 38)))
+    for width, count in ((5.0, 1), (18.0, 0)):
+        slotted = cut(shaft, box((40, width, 10), (-20, -width / 2, 34)))
+        chamfers = [part for part in find(slotted).of("chamfer") if "outer" in part.tags]
+        assert [one.chamfer_size for one in chamfers] == pytest.approx([2 * MM] * count)

@@ -187,3 +187,11 @@ def test_slots_across_the_way_to_the_hole_are_not_radial() -> None:
     cutouts = find(base).of("cutout")
     assert len(cutouts) == 4
     assert not any("radial" in part.tags for part in cutouts)
+
+
+def test_the_slots_of_a_castle_nut_are_slots_and_its_flats_no_teeth() -> None:
+    corners = [(12 * math.cos(i * math.pi / 3), 12 * math.sin(i * math.pi / 3)) for i in range(6)]
+    slits = [turned(box((20, 4, 10), (0, -2, 8)), (0, 0, 1), 30 + i * 60) for i in range(6)]
+    found = find(cut(extruded(corners, 0, 16), cylinder(6, 16), *slits))
+    assert found.of("gear") == []
+    assert [slot.width for slot in found.of("slot")] == pytest.approx([4 * MM] * 6)

@@ -15,7 +15,9 @@ from tests.segworker.shapes import (
     cone,
     cut,
     cylinder,
+    edges,
     extruded,
+    filleted,
     find,
     fuse,
     plate,
@@ -143,6 +145,23 @@ def test_a_domed_pin_reaches_to_the_top_of_its_dome() -> None:
     (dome,) = found.of("sphere")
     assert {"outer", "dome"} <= set(dome.tags)
     assert dome.radius == pytest.approx(3 * MM)
+
+
+def test_a_shallow_spherical_seat_or_crown_is_a_sphere_and_a_rounded_corner_is_none() -> None:
+    seat = cut(cylinder(12, 20), ball(15, (0, 0, 30)))
+    washer = cut(common_ball(20.0), cylinder(5, 60, (0, 0, -30)))
+    for shape, radius, side in ((seat, 15.0, "inner"), (washer, 20.0, "outer")):
+        (found,) = find(shape).of("sphere")
+        assert side in found.tags
+        assert found.radius == pytest.approx(radius * MM)
+    block = box((30, 30, 30))
+    assert find(filleted(block, 4, *edges(block))).of("sphere") == []
+
+
+def common_ball(radius: float) -> TopoDS_Shape:
+    """A disc, 20 wide and 3 high at its rim, whose upper side is a part of a ball."""
+    whole = cut(cylinder(10, 60, (0, 0, -30)), cut(cylinder(30, 80, (0, 0, -40)), ball(radius)))
+    return cut(whole, box((60, 60, 60), (-30, -30, -46)))
 
 
 def test_cones_inner_and_outer_are_parts_with_both_radii() -> None:

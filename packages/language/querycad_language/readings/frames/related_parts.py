@@ -31,7 +31,10 @@ _BOUNDS = {
 }
 """What bounds a cut has its measure."""
 _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
-    Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
+    Measure.WIDTH: {
+        ("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH,
+        ("bottom", "floor", "foot", "root", "base"): Measure.BOTTOM_WIDTH,
+    },
     Measure.DIAMETER: {("mouth", "opening", "entry", "entrance"): Measure.MOUTH_WIDTH},
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
     Measure.POSITION: {("surface", "face", "mouth", "underside", "wall", "plane"): Measure.OPENING},

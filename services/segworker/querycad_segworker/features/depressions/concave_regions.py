@@ -60,12 +60,13 @@ def group_depression(
         return None
     own_links = {face.id: _wall_links(graph, face.id, group) for face in planes}
     links = _links_by_plane(planes, own_links)
-    floor = _floor_under_lips(brep, group, planes, own_links) or _floor(graph, group, planes, links)
-    walls = [brep.faces[i] for i in sorted(links[floor.id])]
+    lipped = _under_lips(graph, group, planes, own_links, links)
+    floor = lipped[0] if lipped else _floor(graph, group, planes, links)
+    walls = [brep.faces[i] for i in sorted(lipped[1] if lipped else links[floor.id])]
     special = v_slot(brep, group, planes) or woodruff(brep, group, planes)
     if special is not None or not walls:
         return special
-    pair = facing_pair([wall for wall in walls if wall.kind is SurfaceKind.PLANE], floor.axis)
+    pair = lipped[2] if lipped else facing_pair([w for w in walls if w.kind is SurfaceKind.PLANE], floor.axis)
     if pair is not None and _is_bevel(brep, floor, pair):
         floor = max(pair, key=lambda face: (dot(face.axis, (0.1, -0.2, 1.0)), face.area))
         walls, pair = [brep.faces[i] for i in sorted(group) if i != floor.id], None
@@ -137,17 +138,30 @@ def _between_bevels(
     return None
 
 
-def _floor_under_lips(
-    brep: Brep, group: set[int], planes: Sequence[FaceRecord], links: dict[int, set[int]]
-) -> FaceRecord | None:
-    """The floor of a T slot: below two walls with lips that leave a neck between them."""
+def _under_lips(
+    graph: ConcaveGraph,
+    group: set[int],
+    planes: Sequence[FaceRecord],
+    own_links: dict[int, set[int]],
+    links: dict[int, set[int]],
+) -> tuple[FaceRecord, set[int], Pair] | None:
+    """The floor of a T slot, its walls, and the two with lips that leave a neck between them.
+
+    Those stand on the floor, or on bevels beside it, as in extruded profiles. `own_links`, `links`: what stands on each
+    plane, and on all pieces of it.
+    """
+    brep = graph.brep
     for floor in planes:
-        walls = brep.of_kind(SurfaceKind.PLANE, links[floor.id])
-        pair = facing_pair(walls, floor.axis)
+        pair = facing_pair(brep.of_kind(SurfaceKind.PLANE, own_links[floor.id]), floor.axis)
         found = undercut(brep, group, floor, pair) if pair is not None else None
-        if found is not None and found.tag == "t_slot":
-            return floor
-    return None
+        if pair is not None and found is not None and found.tag == "t_slot":
+            walls = brep.of_kind(SurfaceKind.PLANE, sorted(links[floor.id]))
+            return floor, links[floor.id], facing_pair(walls, floor.axis) or pair
+    beveled = _between_bevels(graph, group, planes, links)
+    if beveled is None or undercut(brep, group, beveled[0], beveled[2]) is None:
+        return None
+    floor, above, pair = beveled
+    return floor, links[floor.id] | above, pair
 
 
 def _floor(

@@ -13,6 +13,8 @@ class SectionKind(StrEnum):
 
     BORE = "bore"
     COUNTERBORE = "counterbore"
+    SEAT = "seat"
+    """A step too narrow for the head of a screw: of a bearing, seal or lens."""
     SPOTFACE = "spotface"
     COUNTERSINK = "countersink"
     CHAMFER = "chamfer"

@@ -42,6 +42,8 @@ THREAD_PITCH = 0.4
 THREAD_WIDTH = 1.5
 """The outer diameter of a thread is less than this many times its core: 1.4 for the smallest (ISO 724, M1)."""
 
+_DRAFTED = (SectionKind.BORE, SectionKind.COUNTERBORE)
+
 
 def sections_of(
     inwards: Sequence[Wall], axis: Axis, high: bool, through: bool, point: Wall | None, tolerances: Tolerances
@@ -59,28 +61,26 @@ def sections_of(
         low_end, high_end = wall_range(axis, wall)
         start, end = (high_end, low_end) if start_high else (low_end, high_end)
         radius, end_radius = radius_at(axis, wall, start_high), radius_at(axis, wall, not start_high)
+        inside = inwards[i - 1] if from_far else inwards[min(i + 1, len(inwards) - 1)]
+        above = i < bores[0] or from_far
         if wall is point:
             kind = SectionKind.DRILL_POINT
         elif wall.kind is SurfaceKind.CYLINDER:
-            stepped = (i < bores[0] or from_far) and all(w.radius > wall.radius - near for w in outside)
+            stepped = above and all(w.radius > wall.radius - near for w in outside)
+            deeper = [j for j in reversed(cylinders) if j < i] if from_far else [j for j in cylinders if j > i]
+            below = inwards[deeper[0]] if deeper else wall
             kind = SectionKind.BORE if not stepped or wall.radius <= narrow + near else SectionKind.COUNTERBORE
-            inside = inwards[i - 1] if from_far else inwards[min(i + 1, len(inwards) - 1)]
-            deeper = (
-                (inwards[j] for j in reversed(cylinders) if j < i)
-                if from_far
-                else (inwards[j] for j in cylinders if j > i)
-            )
-            below = next(deeper, wall)
-            if kind is SectionKind.COUNTERBORE and _is_spotface(wall, inside, outside):
+            if kind is SectionKind.COUNTERBORE and not reaches(wall.radius, COUNTERBORE_RATIO * below.radius):
+                kind = SectionKind.SEAT
+            elif kind is SectionKind.COUNTERBORE and _is_spotface(wall, inside, outside):
                 kind = SectionKind.SPOTFACE
-            elif kind is SectionKind.COUNTERBORE and not reaches(wall.radius, COUNTERBORE_RATIO * below.radius):
-                kind = SectionKind.BORE
         elif wall.kind is SurfaceKind.CONE and cylinders and radius > end_radius > 0.05 * radius:
             wide = reaches(radius, CHAMFER_RATIO * end_radius)
             kind = SectionKind.COUNTERSINK if wide else SectionKind.CHAMFER
             within = i > bores[0] and not from_far  # the roof of a chamber or the bottom of a vessel
             if (radius - end_radius < TAPER * wall.height and wall.height > end_radius) or (wide and within):
-                kind = SectionKind.BORE
+                floored = above and reaches(end_radius, COUNTERBORE_RATIO * inside.radius)  # drafted, as in a casting
+                kind = SectionKind.COUNTERBORE if floored else SectionKind.BORE
         elif through and len(inwards) == 1 and wall.kind is SurfaceKind.CONE and end_radius > 0.05 * radius:
             leans = radius - end_radius > TAPER * wall.height  # a countersink as deep as the sheet is thick
             kind = SectionKind.COUNTERSINK if leans else SectionKind.BORE
@@ -167,9 +167,9 @@ def tags_of(sections: Sequence[Section], steps: Sequence[float]) -> tuple[str, .
     tags = ["circular"]
     if all(section.radius != section.end_radius for section in sections):
         tags.append("conical")
-    elif any(section.kind is SectionKind.BORE and section.radius != section.end_radius for section in sections):
+    elif any(section.kind in _DRAFTED and section.radius != section.end_radius for section in sections):
         tags.append("tapered")
-    if len(steps) > 1:
+    if len(steps) > 1 or SectionKind.COUNTERBORE in kinds:
         tags.extend(("stepped", "counterbored") if SectionKind.COUNTERBORE in kinds else ("stepped",))
     if SectionKind.COUNTERSINK in kinds:
         tags.extend(("countersunk", "beveled"))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, permutations
 
@@ -54,6 +54,7 @@ HALF_TURN_RAD = math.radians(150.0)
 EDGE = 0.5
 """What is smaller than this share of the wall that has its sides is an edge of that wall, and no rib: a rib fills most
 of the wall between its flanks."""
+FORKS = (DepressionKind.SLOT, DepressionKind.CHANNEL, DepressionKind.NOTCH)
 UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 """Slots that no fork has."""
 PAD = 0.5
@@ -121,7 +122,7 @@ def recognise_flat_walls(
     low: list[FlatWall] = []
     for pairs in alike.values():
         for faces in linked({i for pair in pairs for i in pair}, pairs):
-            wall = _wall(brep, faces, slots, aside, below)
+            wall = _wall(brep, faces, slots, aside, below, beside)
             if wall is not None:
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
                 (thin if wall.is_thin else low).append(wall)
@@ -146,7 +147,7 @@ def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
     found = {}
     for cut in depressions:
         reach = cut.length if "through" in cut.tags else cut.depth
-        slit = cut.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL) and not UNDERCUT.intersection(cut.tags)
+        slit = cut.kind in FORKS and not UNDERCUT.intersection(cut.tags)
         if slit and cut.is_open and exceeds(reach, cut.width):
             across = cross(cut.normal, cut.direction)
             sides = (face for face in cut.faces if abs(dot(brep.faces[face].axis, across)) > APART)
@@ -186,12 +187,14 @@ def _as_tine(brep: Brep, wall: FlatWall, slots: Mapping[int, float]) -> FlatWall
 
 def _between(brep: Brep, wall: FlatWall, beside: Mapping[int, int]) -> FlatWall:
     """The same wall, 'between' where its two sides are walls of two different openings."""
-    sides: dict[bool, set[int]] = {True: set(), False: set()}
-    for face in wall.faces:
-        if face in beside:
-            sides[dot(brep.faces[face].axis, wall.normal) > 0].add(beside[face])
-    apart = bool(sides[True] and sides[False]) and sides[True].isdisjoint(sides[False])
-    return replace(wall, tags=(*wall.tags, "between")) if apart else wall
+    small, large = ([brep.faces[face] for face in side] for side in _sides(brep, wall))
+    return replace(wall, tags=(*wall.tags, "between")) if _parts(small, large, beside) else wall
+
+
+def _parts(small: Iterable[FaceRecord], large: Iterable[FaceRecord], beside: Mapping[int, int]) -> bool:
+    """Are the two sides walls of two different openings? `beside`: number of the opening, by its walls."""
+    one, other = ({beside[face.id] for face in side if face.id in beside} for side in (small, large))
+    return bool(one and other) and one.isdisjoint(other)
 
 
 def _gusset(brep: Brep, wall: FlatWall) -> FlatWall | None:
@@ -229,11 +232,12 @@ def _wall(
     slots: Mapping[int, float],
     aside: Mapping[int, float],
     below: Mapping[int, float],
+    beside: Mapping[int, int],
 ) -> FlatWall | None:
     """The wall between the faces that look one way and those that look the other; None where it is too thick.
 
     `slots`, `aside`, `below`: how thick it may be beside the slot of a fork, beside a pocket, and below the floor of
-    one, metres, by their faces.
+    one, metres, by their faces. What parts two openings, of `beside`, may be as thick as it is long: a bar of a frame.
     What is thicker than it is long and wide is a block beside a pocket, no wall; and where it is thicker than its
     smaller side is wide, that side is the pocket's: no wall lies behind the rim of a flange, nor under a rib.
     """
@@ -259,9 +263,10 @@ def _wall(
     thin = not reaches(thickness, PLATE_RATIO * clear)
     low = not reaches(thickness, FLATTER * clear) and not reaches(thickness, PLATE_RATIO * length)
     near = faces if thickness < clear else [face.id for face in small]
-    tine, beside, under = (max(deep.get(face, 0.0) for face in near) for deep in (slots, aside, below))
+    tine, aside_m, under = (max(deep.get(face, 0.0) for face in near) for deep in (slots, aside, below))
     under = under if filled else min(under, widest)
-    if thickness <= 0 or not (thin or low or thickness < max(min(tine, length), min(beside, length, widest), under)):
+    most = max(min(tine, length), min(aside_m, length, widest), under, length if _parts(small, large, beside) else 0.0)
+    if thickness <= 0 or not (thin or low or thickness < most):
         return None
     return FlatWall(
         thickness=thickness,

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from querycad_contracts import Bottom, Part, SurfaceKind, Vector
+from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.depressions.dimples import Dimple
 from querycad_segworker.features.holes.hole import RIM, Hole, Section, SectionKind
 from querycad_segworker.features.shared.coaxial_stacks import roundings_beside
@@ -23,7 +23,8 @@ _SQUARE = math.radians(0.1)
 """Axes this far off a right angle are square: the angle of `Tolerances`."""
 _SLACK = 1e-7
 """Metres. Sections that follow each other end and begin at one depth."""
-_CUT_AT_A_HOLE = (SectionKind.COUNTERBORE, SectionKind.SPOTFACE, SectionKind.COUNTERSINK, SectionKind.CHAMFER)
+_WIDER = (SectionKind.COUNTERBORE, SectionKind.SEAT, SectionKind.SPOTFACE)
+_CUT_AT_A_HOLE = (*_WIDER, SectionKind.COUNTERSINK, SectionKind.CHAMFER)
 
 
 def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
@@ -110,7 +111,7 @@ def _unbroken(brep: Brep, hole: Hole, section: Section) -> Section:
 
     The chamfer or round of its edge and the fillet of its floor are less deep than its wall.
     """
-    if section.kind not in (SectionKind.COUNTERBORE, SectionKind.SPOTFACE):
+    if section.kind not in _WIDER:
         return section
 
     def depth_of(point: Vector) -> float:
@@ -144,18 +145,20 @@ def section_part(brep: Brep, section: Section, part_id: str, owner: str, *, oute
 
     Its diameter is the widest, its depth (and length) runs along the axis, a chamfer's width across its face.
     """
-    kind = section.kind.value
+    name, seat = section.kind.value, section.kind is SectionKind.SEAT
     depth = dist(section.start, section.end)
     widest = max(section.radius, section.end_radius)
-    flat = section.radius == section.end_radius
+    flat, wider = section.radius == section.end_radius, section.kind in _WIDER
     tags = ["circular", "outer" if outer else "inner", "cylindrical" if flat else "conical"]
     if section.kind in (SectionKind.CHAMFER, SectionKind.COUNTERSINK):
         tags.append("beveled")
+    if seat:
+        tags.append("seat")
     return Part(
         id=part_id,
-        kind=kind,
+        kind=PartKind.COUNTERBORE if seat else PartKind(name),
         tags=tuple(tags),
-        label=f"{kind} of {owner}, diameter {millimetres(2 * widest)}, depth {millimetres(depth)}",
+        label=f"{name} of {owner}, diameter {millimetres(2 * widest)}, depth {millimetres(depth)}",
         faces=section.faces,
         center=mid(section.start, section.end),
         extents=box_extents(faces_box(brep, section.faces)),
@@ -165,7 +168,9 @@ def section_part(brep: Brep, section: Section, part_id: str, owner: str, *, oute
         diameter=2 * widest,
         depth=depth,
         length=depth,
-        width=2 * widest if flat else math.hypot(depth, section.radius - section.end_radius),
+        width=2 * widest if flat or wider else math.hypot(depth, section.radius - section.end_radius),
+        mouth_width=2 * section.radius if wider and not flat else None,
+        bottom_width=2 * section.end_radius if wider and not flat else None,
         opening=None if outer else section.start,
         bottom=None if outer else Bottom.OPEN,
         area=faces_area(brep, section.faces),

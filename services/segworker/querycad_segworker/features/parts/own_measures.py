@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence, Set
+from itertools import combinations
 from typing import Final
 
 from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area, inclination
 from querycad_segworker.features.shared.reach import reach_along
-from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_shaft
+from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_round
 from querycad_segworker.features.shared.tapers import draft_of, mouth_and_bottom
-from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import cross, dist, dot, line_key, parallel
+from querycad_segworker.topology import Brep, FaceRecord
+from querycad_segworker.vectors import cross, dist, dot, line_key, parallel, span
 
 Measured = dict[str, object]
 """Fields of `Part` -> values."""
@@ -168,7 +169,7 @@ def _square_bar(part: Part, brep: Brep) -> Measured:
 
 
 def _flats(part: Part, brep: Brep) -> Measured:
-    found = None if part.axis is None else flats_on_shaft(brep, part.faces, part.axis)
+    found = None if part.axis is None else flats_on_round(brep, part.faces, part.axis)
     return {} if found is None else {"across_flats": found}
 
 
@@ -196,15 +197,36 @@ def _drafted(part: Part, brep: Brep) -> Measured:
 
 
 def _dovetail(part: Part, brep: Brep) -> Measured:
-    """Of what stands on a face with two opposite flanks that lean over it: the angle between flank and face."""
-    if part.normal is None:
+    """Of what stands on a face with two opposite flanks that lean over it: their angle to it, the widths at both ends.
+
+    Where a fillet hides the foot of a flank, up to where the flank meets the face.
+    """
+    normal = part.normal
+    if normal is None or part.height is None:
         return {}
-    planes = [brep.faces[face].axis for face in part.faces if brep.faces[face].kind is SurfaceKind.PLANE]
-    flanks = [axis for axis in planes if UNDERCUT[0] < -dot(axis, part.normal) < UNDERCUT[1]]
-    opposed = any(dot(a, b) < 0 for i, a in enumerate(flanks) for b in flanks[i + 1 :])
-    if not opposed:
+    planes = [brep.faces[face] for face in part.faces if brep.faces[face].kind is SurfaceKind.PLANE]
+    flanks = [plane for plane in planes if UNDERCUT[0] < -dot(plane.axis, normal) < UNDERCUT[1]]
+    pairs = combinations(flanks, 2)
+    opposed = next(((a, b) for a, b in pairs if dot(a.axis, b.axis) < 0), None)
+    if opposed is None:
         return {}
-    return {"angle": math.acos(-max(dot(axis, part.normal) for axis in flanks)), "tags": (*part.tags, "dovetail")}
+    _, top = span((p for e in brep.edges_of(part.faces) for p in brep.edge_points[e]), normal)
+    mouth, bottom = (_over_flanks(opposed, normal, level) for level in (top, top - part.height))
+    return {
+        "angle": math.acos(-max(dot(plane.axis, normal) for plane in flanks)),
+        "tags": (*part.tags, "dovetail"),
+        "mouth_width": mouth,
+        "bottom_width": bottom,
+    }
+
+
+def _over_flanks(flanks: tuple[FaceRecord, FaceRecord], normal: Vector, level: float) -> float:
+    """How far is it from one leaning plane to the opposite one at this level along `normal`, in metres?"""
+    width = 0.0
+    for flank in flanks:
+        lean = dot(flank.axis, normal)
+        width += (dot(flank.point, flank.axis) - lean * level) / math.sqrt(1 - lean * lean)
+    return width
 
 
 def _tapered(part: Part, brep: Brep, breaks: Set[int]) -> Measured:
@@ -305,4 +327,5 @@ _OF_FACES: Final[dict[PartKind, tuple[Callable[[Part, Brep], Measured], ...]]] =
     PartKind.ELEVATION: (_drafted, _dovetail),
     PartKind.RIB: (_drafted,),
     PartKind.BOSS: (_flats,),
+    PartKind.HOLE: (_flats,),
 }

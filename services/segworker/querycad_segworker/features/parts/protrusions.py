@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from querycad_contracts import Part, PartKind
 from querycad_segworker.features.protrusions.arms import Arm
@@ -79,12 +79,18 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
         if any(cut.issuperset(ledge.faces) for cut in cuts):
             continue
         whole, largest = faces_area(brep, ledge.faces), max(ledge.faces, key=lambda face: brep.faces[face].area)
-        shared = [set(ledge.faces).intersection(part.faces) for part in standing]
-        if any(largest in faces or faces_area(brep, faces) > TAKEN * whole for faces in shared):
+        shared = [(part, set(ledge.faces).intersection(part.faces)) for part in standing]
+        same = (faces for part, faces in shared if part.kind is not PartKind.PRISM or _is_most(brep, faces, part))
+        if any(largest in faces or faces_area(brep, faces) > TAKEN * whole for faces in same):
             continue
         part = protrusion_part(brep, ledge, number + len(found) + 1, volumes, PartKind.ELEVATION)
         found.append(part.model_copy(update={"tags": (*part.tags, "ledge"), "thickness": ledge.width}))
     return found
+
+
+def _is_most(brep: Brep, faces: Collection[int], part: Part) -> bool:
+    """Are they most of the surface of a part? A block that a ledge is left of is more than that ledge."""
+    return faces_area(brep, faces) > TAKEN * faces_area(brep, part.faces)
 
 
 def prism_part(brep: Brep, prism: Prism, number: int) -> Part:

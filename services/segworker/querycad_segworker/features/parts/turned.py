@@ -12,7 +12,7 @@ from querycad_segworker.features.shared.part_measures import faces_area, faces_b
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.features.turned.bosses import Boss
 from querycad_segworker.features.turned.pipes import Bend, Pipe, bent_measures
-from querycad_segworker.topology import Brep
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import OFF_ROUND, binned, box_center, box_extents, coordinate_axis, mid
 
 from .holes import section_part
@@ -20,7 +20,9 @@ from .holes import section_part
 CONE_ROLES = (SectionKind.DRILL_POINT, SectionKind.CHAMFER)
 """What a cone is named by before it is named a cone."""
 SPHERE_SHARE = 0.2
-"""Less than this share of a whole sphere is the rounded corner of a block (an eighth) or a slight crown."""
+"""More than this share of a whole sphere is no rounded corner of a block, which is an eighth."""
+WHOLE_CIRCLE, SHARP = 0.9, 0.5
+"""Nor is what a whole circle bounds, but for this share, or what more than this share of its rim parts sharply."""
 
 
 def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Part:
@@ -149,14 +151,30 @@ def _revolved_part(brep: Brep, wall: Wall, kind: str, number: int, role: str | N
 
 
 def _spheres(brep: Brep) -> list[list[int]]:
-    """The faces of each sphere of more than a corner's size, those of one centre and radius together."""
+    """The faces of each sphere that is no rounded corner, those of one centre and radius together."""
     groups: dict[tuple[object, ...], list[int]] = defaultdict(list)
     for face in brep.faces:
         if face.kind is SurfaceKind.SPHERE:
             place = tuple(round(c * OFF_ROUND / (1e-3 * face.radius)) for c in face.origin)
             groups[(face.body, face.outward, place, binned(face.radius, 4))].append(face.id)
     corner = SPHERE_SHARE * 4 * math.pi
-    return [ids for ids in groups.values() if faces_area(brep, ids) > corner * brep.faces[ids[0]].radius ** 2]
+    return [
+        ids
+        for ids in groups.values()
+        if faces_area(brep, ids) > corner * brep.faces[ids[0]].radius ** 2 or not _is_corner(brep, ids)
+    ]
+
+
+def _is_corner(brep: Brep, faces: Sequence[int]) -> bool:
+    """Do they run on into what is around them, and does no whole circle bound them, as a turned end or seat?"""
+    rim = [edge for edge in (brep.edges[i] for i in brep.edges_of(faces)) if not set(edge.faces) <= set(faces)]
+    turns: dict[tuple[float, ...], float] = defaultdict(float)
+    for edge in rim:
+        if edge.kind is EdgeKind.CIRCLE and edge.center and edge.radius:
+            place = tuple(round(c * OFF_ROUND / (1e-3 * edge.radius)) for c in edge.center)
+            turns[place] += edge.length / (2 * math.pi * edge.radius)
+    sharp = sum(edge.length for edge in rim if edge.convexity is not EdgeConvexity.SMOOTH)
+    return sharp < SHARP * sum(edge.length for edge in rim) and max(turns.values(), default=0.0) < WHOLE_CIRCLE
 
 
 def _sphere_part(brep: Brep, faces: Sequence[int], number: int) -> Part:

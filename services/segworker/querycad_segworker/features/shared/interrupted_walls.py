@@ -34,20 +34,21 @@ OVERLAP = 0.5
 
 
 def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> list[Wall]:
-    """The same walls, where the pieces of one cylinder are one wall when together they enclose it.
+    """The same walls, where the pieces of one cylinder or cone are one wall when together they enclose it.
 
     Of an outer one they do when they cover more than half of the circle, or what is left of a rim that notches
-    interrupt; of a bore when keyways, splines or two flats lead from each piece to the next, all the way around.
-    What another cut left beyond a wall that encloses the cylinder alone is of that wall, too.
+    interrupt; of a bore when keyways, splines or two flats lead from each piece to the next, all the way around; of a
+    cone, such as the chamfer of a slotted shaft, when they cover more than half of the circle. What another cut left
+    beyond a wall that encloses the cylinder alone is of that wall, too.
     """
-    buckets: dict[tuple[int, int, str], list[int]] = defaultdict(list)
+    buckets: dict[tuple[SurfaceKind, int, int, str], list[int]] = defaultdict(list)
     for i, wall in enumerate(walls):
-        if wall.kind is SurfaceKind.CYLINDER and wall.sweep < 2 * math.pi:
-            buckets[(wall.outward, wall.body, binned(wall.radius))].append(i)
+        if wall.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE) and wall.sweep < 2 * math.pi:
+            buckets[(wall.kind, wall.outward, wall.body, binned(wall.radius))].append(i)
     beside = partial(_beside, tolerances=tolerances)
     merged: dict[int, Wall] = {}
     gone: set[int] = set()
-    for (outward, _, _), indices in buckets.items():
+    for (kind, outward, _, _), indices in buckets.items():
         for group in by_line(
             indices, lambda i: walls[i].axis, ORIGIN, 10 * tolerances.length, lambda i, j: beside(walls[i], walls[j])
         ):
@@ -59,7 +60,7 @@ def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) 
                 if covered <= FULL_RAD:
                     merged[min(group)] = _one(pieces, covered)
                     gone.update(group)
-            elif outward < 0:
+            elif outward < 0 and kind is SurfaceKind.CYLINDER:
                 if _is_bore(brep, pieces, covered):
                     merged[min(group)] = _one(pieces, 2 * math.pi)
                     gone.update(group)
@@ -76,6 +77,10 @@ def _beside(a: Wall, b: Wall, tolerances: Tolerances) -> bool:
     if abs(a.radius - b.radius) > 3 * tolerances.length or not a.axis.same_line(b.axis, tolerances):
         return False
     low, high = sorted((a.axis.position(b.axis.at(b.low)), a.axis.position(b.axis.at(b.high))))
+    if a.kind is SurfaceKind.CONE:
+        near = 3 * tolerances.length
+        narrow = abs(min(a.radius_low, a.radius_high) - min(b.radius_low, b.radius_high))
+        return max(abs(a.low - low), abs(a.high - high), narrow) <= near
     return min(high, a.high) - max(low, a.low) > OVERLAP * min(a.height, b.height)
 
 

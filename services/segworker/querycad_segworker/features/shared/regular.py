@@ -62,11 +62,12 @@ def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[tuple[float, 
     return sorted(found)
 
 
-def flats_on_shaft(brep: Brep, walls: Iterable[int], axis: Vector) -> float | None:
-    """How wide is a round step across the flats that a wrench takes hold of, in metres? None without two alike.
+def flats_on_round(brep: Brep, walls: Iterable[int], axis: Vector) -> float | None:
+    """How wide is a round step or bore across its flats, in metres? None without any.
 
-    Flats are planes along the axis, in opposite pairs, cut into the round wall: what is flat beside a round end of a
-    lever, or where a shaft meets an eye, joins it in concave edges.
+    Flats are planes along the axis that meet the round wall in sharp edges: of two alike from one to the other, as a
+    wrench takes hold of them; of a single one, which makes a D, to the round opposite. What is flat beside a round end
+    of a lever, or where a shaft meets an eye, joins its wall in concave edges.
     """
     own = [i for i in walls if brep.faces[i].kind is SurfaceKind.CYLINDER]
     flats = {
@@ -74,21 +75,32 @@ def flats_on_shaft(brep: Brep, walls: Iterable[int], axis: Vector) -> float | No
         for i in own
         for edge, other in brep.neighbours(i)
         if edge.kind is EdgeKind.LINE
-        and edge.convexity is EdgeConvexity.CONVEX
+        and edge.convexity is _sharp(brep.faces[i])
         and brep.faces[other].kind is SurfaceKind.PLANE
         and abs(dot(brep.faces[other].axis, axis)) <= UPRIGHT
     }
-    if len(flats) < 2:
+    if not flats:
         return None
-    origin, radius = brep.faces[own[0]].origin, brep.faces[own[0]].radius
-    planes = [(brep.faces[i].axis, dot(brep.faces[i].point, brep.faces[i].axis)) for i in sorted(flats)]
-    reach = [distance - dot(origin, normal) for normal, distance in planes]
-    for i, (normal, _) in enumerate(planes):
-        for j in range(i + 1, len(planes)):
-            opposite = dot(normal, planes[j][0]) < 0 and parallel(normal, planes[j][0], UPRIGHT)
-            if opposite and 0 < reach[i] < CUT_IN * radius and abs(reach[i] - reach[j]) <= EVEN * reach[i]:
-                return reach[i] + reach[j]
+    if len(flats) == 1:
+        (flat,) = (brep.faces[i] for i in flats)
+        depth = depth_of_flat(brep, flat)
+        return None if depth is None else 2 * brep.faces[own[0]].radius - depth
+    wall = brep.faces[own[0]]
+    planes = [
+        (brep.faces[i].axis, dot(sub(brep.faces[i].point, wall.origin), brep.faces[i].axis)) for i in sorted(flats)
+    ]
+    for i, (normal, level) in enumerate(planes):
+        reach = wall.outward * level
+        for other, opposed in planes[i + 1 :]:
+            opposite = dot(normal, other) < 0 and parallel(normal, other, UPRIGHT)
+            if opposite and 0 < reach < CUT_IN * wall.radius and abs(level - opposed) <= EVEN * reach:
+                return reach + wall.outward * opposed
     return None
+
+
+def _sharp(wall: FaceRecord) -> EdgeConvexity:
+    """The edges of a flat on a shaft, or of one that stands into a bore."""
+    return EdgeConvexity.CONVEX if wall.outward > 0 else EdgeConvexity.CONCAVE
 
 
 def depth_of_flat(brep: Brep, face: FaceRecord) -> float | None:
@@ -98,8 +110,8 @@ def depth_of_flat(brep: Brep, face: FaceRecord) -> float | None:
     """
     for edge, other in brep.neighbours(face.id):
         wall = brep.faces[other]
-        sharp = EdgeConvexity.CONVEX if wall.outward > 0 else EdgeConvexity.CONCAVE
-        beside = wall.kind is SurfaceKind.CYLINDER and edge.kind is EdgeKind.LINE and edge.convexity is sharp
+        round_wall = wall.kind is SurfaceKind.CYLINDER and edge.kind is EdgeKind.LINE
+        beside = round_wall and edge.convexity is _sharp(wall)
         if not beside or abs(dot(face.axis, wall.axis)) > UPRIGHT:
             continue
         reach = wall.outward * dot(sub(face.point, wall.origin), face.axis)

@@ -79,7 +79,7 @@ class Boss:
     """All free ends of its axis, where they are more than `tip`."""
 
 
-_CYLINDRICAL = (SectionKind.BORE, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
+_CYLINDRICAL = (SectionKind.BORE, SectionKind.SEAT, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
 
 
 def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], tolerances: Tolerances) -> list[Boss]:

@@ -145,7 +145,8 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
         if any(_is_floor(brep, brep.faces[i], axis, set(ids)) for i in ids):
             refuse("gear", ids, f"{teeth} pockets sunk into a face around the axis: flanks rise from their floors")
             return None
-        if tips is max and _are_slots(brep, ids, axis, max(radii) - min(radii)):
+        flanks = [face for face in (brep.faces[i] for i in ids) if not _looks_out(face, axis, tolerances)]
+        if tips is max and _are_slots(flanks, axis, max(radii) - min(radii)):
             refuse("gear", ids, f"{teeth} slots with parallel walls: what is left between them widens outwards")
             return None
         members = _teeth(chosen, tops, axis)
@@ -194,12 +195,11 @@ def _without_windows(
     return [(count, ring) for count, ring in rings if not any(face.id in windows for face in ring)]
 
 
-def _are_slots(brep: Brep, faces: Sequence[int], axis: Axis, depth: float) -> bool:
+def _are_slots(flanks: Sequence[FaceRecord], axis: Axis, depth: float) -> bool:
     """Are the largest flanks planes in pairs that face each other in parallel, closer than they are deep?
 
     Gaps between teeth widen outwards, or are as wide as they are deep and more.
     """
-    flanks = [brep.faces[i] for i in faces if brep.faces[i].kind is not SurfaceKind.CYLINDER]
     largest = max((face.area for face in flanks), default=0.0)
     flanks = [face for face in flanks if face.area > MAIN_FLANK * largest]
     planes = [
