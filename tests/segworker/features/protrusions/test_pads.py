@@ -150,3 +150,12 @@ def test_the_shaft_beyond_a_keyway_is_no_ledge() -> None:
     key = fuse(box((4, 8, 22), (11, -4, 9)), *(cylinder(4, 4, (11, 0, z), (1, 0, 0)) for z in (9, 31)))
     shaft = cut(fuse(cylinder(15, 40), cylinder(10, 80, (0, 0, -20))), key)
     assert not find(shaft).of("elevation")
+
+
+def test_what_lies_beyond_the_slope_of_a_gusset_is_no_ledge() -> None:
+    angle = fuse(box((60, 60, 8)), box((60, 8, 60)))
+    gusset = prism([(26, 8, 8), (26, 48, 8), (26, 8, 48)], (8.0, 0.0, 0.0))
+    assert find(fuse(angle, gusset)).of("elevation") == []
+    drafted = prism([(0, 20, 8), (0, 40, 8), (0, 39, 20), (0, 21, 20)], (60.0, 0.0, 0.0))
+    (ridge,) = find(fuse(box((60, 60, 8)), drafted)).of("protrusion")
+    assert ridge.height == pytest.approx(12 * MM)

@@ -105,3 +105,22 @@ def test_a_rounded_plate_that_carries_something_is_one_plate_with_both_its_faces
     assert {face.id for face in largest if abs(face.axis[2]) > 0.9 and face.kind == "plane"} <= set(plate.faces)
     second = extruded([(x, y + 200) for x, y in corners], 0, 10)
     assert len(find(compound(carrier, second)).of("prism")) == 2
+
+
+def test_a_block_with_broken_corners_is_a_rectangular_block_and_a_hexagon_stays_one() -> None:
+    block = extruded([(0, 0), (60, 0), (60, 30), (0, 30)], 0.0, 40.0)
+    (found,) = find(chamfered(block, 2, *upright(block))).of("prism")
+    assert found.label == "rectangular block, 60 x 40 mm, height 30 mm"
+    bar = extruded(HEXAGON, 0.0, 20.0)
+    assert "hexagonal" in find(chamfered(bar, 0.6, *upright(bar))).of("prism")[0].tags
+    octagon = [(math.cos(math.radians(22.5 + 45 * i)), math.sin(math.radians(22.5 + 45 * i))) for i in range(8)]
+    assert "octagonal" in find(extruded([(20 * x, 20 * y) for x, y in octagon], 0.0, 15.0)).of("prism")[0].tags
+
+
+def test_a_cam_whose_sides_run_together_is_no_obround_plate() -> None:
+    for small, name in ((10.0, "polygonal"), (20.0, "obround")):
+        lean = (20.0 - small) / 40.0
+        side = [(20 * math.sqrt(1 - lean**2), 20 * lean), (small * math.sqrt(1 - lean**2), 40 + small * lean)]
+        sides = extruded([(-x, y) for x, y in reversed(side)] + side, 0.0, 8.0)
+        cam = fuse(sides, cylinder(20, 8), cylinder(small, 8, (0, 40, 0)))
+        assert [part.tags[0] for part in find(cam).of("prism")] == [name]

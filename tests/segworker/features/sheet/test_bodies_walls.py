@@ -86,3 +86,13 @@ def test_ends_of_walls_far_apart_are_no_wall() -> None:
     rooms = fuse(house, box((4, 86, 40), (60, 30, 0)), box((4, 86, 40), (130, 30, 0)))
     thick = {round((wall.thickness or 0.0) * 1e3, 3) for wall in find(rooms).of("wall")}
     assert thick == {4.0}
+
+
+def test_both_feet_of_a_hat_rail_are_plates_and_one_plate_is_one() -> None:
+    hat = cut(
+        box((68, 56, 26)), box((36, 56, 24), (16, 0, 0)), box((14, 56, 24), (0, 0, 2)), box((14, 56, 24), (54, 0, 2))
+    )
+    feet = [part for part in find(hat).of("prism") if part.center[2] < 0.0011]
+    assert [foot.thickness for foot in feet] == pytest.approx([0.002] * 2)
+    grooved = cut(box((68, 56, 6)), box((8, 56, 2), (30, 0, 0)))
+    assert len(find(grooved).of("prism")) == 1

@@ -184,3 +184,14 @@ def test_a_cone_that_eases_the_corner_of_a_shoulder_is_no_boss() -> None:
 def test_a_centre_hole_in_its_end_makes_no_shaft_hollow(depth: float, hollow: bool) -> None:
     (shaft,) = find(cut(cylinder(10, 30), cylinder(1.25, depth))).of("boss")
     assert ("hollow" in shaft.tags, len(shaft.radii)) == (hollow, 1 + hollow)
+
+
+def test_a_cross_hole_makes_no_shaft_hollow() -> None:
+    pin = cylinder(2, 40, (0, -20, 20), (0, 1, 0))
+    shaft = fuse(cylinder(10, 40), cylinder(7, 40, (0, 0, 40)))
+    (solid,) = find(cut(shaft, pin)).of("body")
+    assert "hollow" not in solid.tags
+    assert solid.inner_diameter is None
+    (tube,) = find(cut(shaft, pin, cylinder(5, 80))).of("body")
+    assert "hollow" in tube.tags
+    assert tube.inner_diameter == pytest.approx(10 * MM)

@@ -212,6 +212,8 @@ def _dovetail(part: Part, brep: Brep) -> Measured:
         return {}
     _, top = span((p for e in brep.edges_of(part.faces) for p in brep.edge_points[e]), normal)
     mouth, bottom = (_over_flanks(opposed, normal, level) for level in (top, top - part.height))
+    if not mouth > bottom > 0:
+        return {}  # sides of what is cut into it
     return {
         "angle": math.acos(-max(dot(plane.axis, normal) for plane in flanks)),
         "tags": (*part.tags, "dovetail"),

@@ -24,7 +24,9 @@ from .protrusions import Protrusion, tags_of
 SQUARE = 1e-2
 """Sine of the angle by which the foot edges of one piece may run apart, and its sides deviate from upright."""
 LEAN = math.cos(math.radians(44.0))
-"""The sides of a piece lean by less than 46 degrees: dovetails have flanks at 45 to 60 (DIN 1833 cutters)."""
+"""The sides of a piece lean out by less than 46 degrees: dovetails have flanks at 45 to 60 (DIN 1833 cutters)."""
+DRAFT = math.sin(math.radians(10.0))
+"""They lean back by no more than a draft: what rises behind a slope is the plate that a gusset stands on."""
 BEHIND = 0.9
 """The share of its foot behind which a piece lies: what goes around the face is the body, and the face a floor."""
 MINOR = 0.5
@@ -201,12 +203,12 @@ def _feet(brep: Brep, host: FaceRecord) -> Iterator[_Foot]:
             continue
         wall = brep.faces[other]
         if edge.convexity is EdgeConvexity.CONCAVE:
-            if wall.kind is SurfaceKind.PLANE and abs(dot(wall.axis, host.axis)) < LEAN:
+            if wall.kind is SurfaceKind.PLANE and -LEAN < dot(wall.axis, host.axis) < DRAFT:
                 yield edge, wall, None
         elif edge.convexity is EdgeConvexity.SMOOTH and wall.kind is SurfaceKind.CYLINDER and wall.outward < 0:
             for beyond in map(brep.faces.__getitem__, brep.beside(other, EdgeConvexity.SMOOTH)):
                 plane = beyond.id != host.id and beyond.kind is SurfaceKind.PLANE
-                if plane and abs(dot(beyond.axis, host.axis)) < LEAN:
+                if plane and -LEAN < dot(beyond.axis, host.axis) < DRAFT:
                     yield edge, beyond, other
 
 

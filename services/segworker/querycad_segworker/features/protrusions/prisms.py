@@ -11,7 +11,7 @@ from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.frames import face_points, frame_of_edges, polygon_name
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.features.shared.regular import across_flats_and_corners
+from querycad_segworker.features.shared.regular import BROKEN, across_flats_and_corners
 from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.tolerances import significant
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, parted
@@ -79,7 +79,7 @@ def recognise_prisms(brep: Brep, chamfers: Collection[int] = ()) -> list[Prism]:
             elif _meets_in_chamfers(brep, ring, direction, chamfers):
                 refuse("prism", ring, "its sides meet at broken corners only")
             else:
-                found.append(_prism(brep, ring, direction))
+                found.append(_prism(brep, ring, direction, chamfers))
     kept: list[Prism] = []
     for prism in sorted(
         found, key=lambda p: (not (p.sides > 4 and _is_regular(brep, p)), significant(p.height), p.faces)
@@ -163,8 +163,8 @@ def _corners(brep: Brep, ring: set[int], direction: Vector) -> list[EdgeRecord]:
     ]
 
 
-def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
-    """The prism with these sides.
+def _prism(brep: Brep, ring: set[int], direction: Vector, chamfers: Collection[int]) -> Prism:
+    """The prism with these sides, named by those that are no broken corners.
 
     Of a side that runs on past its corners, level with what the prism stands on, only what lies between them is the
     prism's.
@@ -199,8 +199,20 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
         tip=add(center, scale(axis, max([high, *levels]) - dot(center, axis))),
         faces=tuple(sorted(own)),
         body=brep.faces[min(ring)].body,
-        outline=polygon_name([brep.faces[side].axis for side in sorted(ring)]),
+        outline=polygon_name([brep.faces[side].axis for side in _unbroken(brep, ring, axis, chamfers)]),
     )
+
+
+def _unbroken(brep: Brep, ring: set[int], axis: Vector, chamfers: Collection[int]) -> list[int]:
+    """The sides without those that break corners: in a regular outline any that are narrow, else narrow `chamfers`."""
+    spans = {i: span(face_points(brep, (i,)), cross(axis, brep.faces[i].axis)) for i in sorted(ring)}
+    widths = {i: high - low for i, (low, high) in spans.items()}
+    if across_flats_and_corners(brep, ring, axis) is not None:
+        return [i for i in widths if widths[i] >= BROKEN * max(widths.values())]
+    sides = [i for i in widths if i not in chamfers]
+    least = min((widths[i] for i in sides), default=0.0)
+    broken = all(widths[i] < BROKEN * least for i in ring.intersection(chamfers))
+    return sides if broken and len(sides) > 2 else list(widths)
 
 
 def _foot_fillets(brep: Brep, sides: Collection[int], axis: Vector) -> set[int]:

@@ -152,7 +152,7 @@ def outline_of(brep: Brep, rim: Loop, tolerances: Tolerances) -> tuple[str, floa
     if len(directions) == 2 and len(half_turns) in (2, 4):
         return "obround", half_turns[0].radius
     total_arc = sum(arc.length / arc.radius for arc in arcs if arc.radius)
-    if len(directions) == 2 and abs(total_arc - 2 * math.pi) < 0.1:
+    if len(directions) == 2 and parallel(directions[0], directions[1], SKEW) and abs(total_arc - 2 * math.pi) < 0.1:
         return "obround", arcs[0].radius
     radii = [arc.radius for arc in arcs if arc.radius]
     return polygon_name(directions), min(radii) if radii else None

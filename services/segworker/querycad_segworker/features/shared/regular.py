@@ -8,8 +8,12 @@ from collections.abc import Iterable
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import same_cylinder
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import across, dot, parallel, sub
+from querycad_segworker.vectors import across, cross, dot, parallel, span, sub
 
+BROKEN = 0.4
+"""A plane at a corner narrower than this share of the sides breaks it and gives the outline no name."""
+LEVEL_M = 1e-6
+"""Pieces of one side lie in one plane but for this."""
 EVEN = 0.01
 """Sides of a regular outline are at equal distances but for this share."""
 TURN_RAD = math.radians(1.0)
@@ -45,10 +49,11 @@ def across_flats_and_corners(brep: Brep, faces: Iterable[int], axis: Vector) -> 
 def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[tuple[float, float]]:
     """The outermost plane of each direction along the axis: (angle of its normal around it, distance from the origin).
 
-    The inner faces of a square tube look the same ways as its outer ones.
+    The inner faces of a square tube look the same ways as its outer ones. What is by far narrower than the widest side
+    breaks a corner.
     """
     u, v = across(axis)
-    found: list[tuple[float, float]] = []
+    found: list[tuple[float, float, float]] = []
     for i in faces:
         face = brep.faces[i]
         if face.kind is not SurfaceKind.PLANE or abs(dot(face.axis, axis)) > UPRIGHT:
@@ -56,10 +61,13 @@ def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[tuple[float, 
         angle, level = math.atan2(dot(face.axis, v), dot(face.axis, u)), dot(face.point, face.axis)
         alike = (side for side in found if abs(math.remainder(angle - side[0], 2 * math.pi)) < TURN_RAD)
         known = next(alike, None)
-        if known is not None and known[1] >= level:
-            continue
-        found = [(angle, level), *(side for side in found if side is not known)]
-    return sorted(found)
+        low, high = span((p for e in brep.face_edges[i] for p in brep.edge_points[e]), cross(axis, face.axis))
+        wide = high - low
+        if known is not None and known[1] > level - LEVEL_M:
+            angle, level, wide = *known[:2], max(known[2], wide if known[1] < level + LEVEL_M else 0.0)
+        found = [(angle, level, wide), *(side for side in found if side is not known)]
+    widest = max((wide for *_, wide in found), default=0.0)
+    return sorted((angle, level) for angle, level, wide in found if wide >= BROKEN * widest)
 
 
 def flats_on_round(brep: Brep, walls: Iterable[int], axis: Vector) -> float | None:

@@ -110,6 +110,12 @@ def _bases(across: _Across, known: Sequence[Prism], tolerances: Tolerances) -> l
     return found
 
 
+def _overlap(a: FaceRecord, b: FaceRecord) -> bool:
+    """Does one lie before the other, as their boxes tell across the axis of the file that they look along most?"""
+    along = coordinate_axis(a.axis)
+    return all(min(a.box[1][i], b.box[1][i]) > max(a.box[0][i], b.box[0][i]) for i in range(3) if i != along)
+
+
 def _lies_at(face: FaceRecord, axis: int, level: float, near: float) -> bool:
     """Does a plane face lie square to an axis of the file, at a level?"""
     square = face.kind is SurfaceKind.PLANE and abs(face.axis[axis]) > 1 - SQUARE**2
@@ -188,7 +194,7 @@ def _side(across: _Across, face: FaceRecord, free_share: float = MOST, ledge: fl
         return None
     starts = np.cumsum([0, *counts])
     members = [(int(owner[i]), int(i - starts[owner[i]])) for i in np.flatnonzero(group == group[first])]
-    below = tuple(sorted({f for k, i in members for f in ends[k].faces[i]}))
+    below = tuple(sorted({f for k, i in members for f in ends[k].faces[i] if _overlap(face, brep.faces[f])}))
     if sum(brep.faces[i].area for i in below) < ledge * face.area:
         return None
     return _Side(face, float(levels[first]), tuple(sorted({above[k][1] for k, _ in members})), below)

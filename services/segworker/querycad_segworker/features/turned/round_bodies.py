@@ -13,7 +13,7 @@ from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import exceeds, reaches
 from querycad_segworker.topology import BodyRecord, Brep
-from querycad_segworker.vectors import add, dist, mid, points_up, scale, sub, unit
+from querycad_segworker.vectors import add, dist, mid, parallel, points_up, scale, sub, unit
 
 from .bosses import Boss
 from .gears import Gear
@@ -31,6 +31,8 @@ ROUND = 1.005
 """A body is round when nothing reaches beyond its widest step by more than this factor."""
 COAXIAL = 0.01
 """Share of the radius by which axes of one turned part may lie apart."""
+ALONG = 1e-2
+"""Sine of the angle to the axis within which a hole runs along it: a cross hole, too, has its middle on the axis."""
 BESIDE_RIM = 0.01
 """A look out along the axis starts this share of the radius beyond the end, clear of the end face's own triangles."""
 
@@ -179,7 +181,8 @@ def _widest_at(axis: Axis, widest: Boss, toothed: Sequence[Gear]) -> float:
 
 def _bore(holes: Sequence[Hole], axis: Axis, near: float, length: float) -> Hole | None:
     """The coaxial hole that makes the body hollow: right through it, or at least half as deep as it is long."""
-    coaxial = [h for h in holes if not h.is_ring and axis.radius_of(h.center) < near]
+    along = (h for h in holes if not h.is_ring and parallel(h.normal, axis.direction, ALONG))
+    coaxial = [h for h in along if axis.radius_of(h.center) < near]
     deep = [h for h in coaxial if h.bottom is Bottom.THROUGH or reaches(h.depth, HOLLOW_SHARE * length)]
     return max(deep, key=lambda h: (h.bottom is Bottom.THROUGH, h.radius), default=None)
 
