@@ -69,6 +69,8 @@ def test_a_counterbored_hole_shows_both_diameters_and_the_depth() -> None:
     assert callout(made, known={bore.id: bore}) == "Ø16 THRU, counterbore Ø26 depth 8"
     assert callout(made) == "Ø16 THRU, counterbore Ø26", "also where the counterbore itself is not known"
     assert callout(made, known={bore.id: bore}, symbols=True) == "Ø16 THRU, ⌴Ø26 ↧8"
+    seat = bore.model_copy(update={"tags": (*bore.tags, "seat")})
+    assert callout(made, known={seat.id: seat}) == "Ø16 THRU, seat Ø26 depth 8"
 
 
 def test_a_countersunk_hole_shows_diameter_and_angle() -> None:

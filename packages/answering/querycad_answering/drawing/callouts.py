@@ -122,10 +122,10 @@ def _reach(part: Part, unit: LengthUnit) -> str:
 
 
 def _section(part: Part, unit: LengthUnit) -> str:
-    """The counterbore, countersink, spot face or chamfer of a hole."""
+    """The counterbore, seat, countersink, spot face or chamfer of a hole."""
     if part.kind is PartKind.CHAMFER:
         return _chamfer(part, unit, {})
-    wide = f"{part.kind.value} Ø{length(part.diameter or 0.0, unit)}"
+    wide = f"{'seat' if 'seat' in part.tags else part.kind.value} Ø{length(part.diameter or 0.0, unit)}"
     if part.kind is PartKind.COUNTERSINK:
         return wide + (f" x {degrees(part.angle)}" if part.angle else "")
     return wide + (f" depth {length(part.depth, unit)}" if part.depth else "")

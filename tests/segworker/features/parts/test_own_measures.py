@@ -79,6 +79,15 @@ def test_two_flats_on_a_shaft_are_a_wrench_size_and_tangent_planes_are_not() -> 
     assert all(boss.across_flats is None for boss in find(web).of("boss"))
 
 
+def test_the_arms_of_a_star_have_no_width_across_flats_and_a_hexagon_with_broken_corners_has() -> None:
+    arms = [turned(box((40, 10, 20), (0, -5, 0)), (0, 0, 1), 60.0 * i) for i in range(0, 6, 2)]
+    star = fuse(*arms)
+    assert all(part.across_flats is None for part in find(star).parts if part.kind != "face")
+    bar = extruded(polygon(6, 16.0), 0.0, 30.0)
+    (broken,) = find(chamfered(bar, 0.8, *upright(bar))).of("prism")
+    assert broken.across_flats == pytest.approx(16 * MM)
+
+
 def test_a_d_is_as_wide_as_from_its_flat_to_the_round_opposite() -> None:
     key = box((10, 10, 60), (-5, 2, -1))
     bored = cut(cylinder(10, 20), cut(cylinder(4, 40, (0, 0, 5)), key))

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import same_cylinder
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import across, cross, dot, parallel, span, sub
+from querycad_segworker.vectors import across, add, dot, parallel, scale, span, sub
 
 BROKEN = 0.4
 """A plane at a corner narrower than this share of the sides breaks it and gives the outline no name."""
@@ -36,38 +37,65 @@ def across_flats_and_corners(brep: Brep, faces: Iterable[int], axis: Vector) -> 
         return None
     half = count // 2
     step = 2 * math.pi / count
-    gaps = [b[0] - a[0] for a, b in zip(sides, [*sides[1:], (sides[0][0] + 2 * math.pi, 0.0)], strict=True)]
-    if any(abs(gap - step) > TURN_RAD for gap in gaps):
+    angles = [side.angle for side in sides]
+    if any(abs(b - a - step) > TURN_RAD for a, b in zip(angles, [*angles[1:], angles[0] + 2 * math.pi], strict=True)):
         return None
-    widths = [abs(sides[i][1] + sides[i + half][1]) for i in range(half)]
-    if max(widths) - min(widths) > EVEN * max(widths):
+    widths = [abs(sides[i].level + sides[i + half].level) for i in range(half)]
+    if max(widths) - min(widths) > EVEN * max(widths) or not _go_around(sides, half):
         return None
     flats = sum(widths) / half
     return flats, flats / math.cos(math.pi / count)
 
 
-def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[tuple[float, float]]:
-    """The outermost plane of each direction along the axis: (angle of its normal around it, distance from the origin).
+@dataclass(frozen=True, slots=True)
+class _Side:
+    """A plane along an axis, as seen along that: the angle of its normal, its distance from the origin, its ends."""
+
+    angle: float
+    level: float
+    low: float
+    high: float
+
+
+def _go_around(sides: Sequence[_Side], half: int) -> bool:
+    """Does each side lie before the middle? The flanks of the arms of a star lie beside it."""
+    (x, cos_x, sin_x), (y, cos_y, sin_y) = (
+        ((sides[i].level - sides[i + half].level) / 2, math.cos(sides[i].angle), math.sin(sides[i].angle))
+        for i in (0, 1)
+    )
+    turn = cos_x * sin_y - sin_x * cos_y
+    middle = ((x * sin_y - y * sin_x) / turn, (y * cos_x - x * cos_y) / turn)
+    feet = (middle[1] * math.cos(side.angle) - middle[0] * math.sin(side.angle) for side in sides)
+    return all(side.low <= foot <= side.high for side, foot in zip(sides, feet, strict=True))
+
+
+def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[_Side]:
+    """The outermost plane of each direction along the axis, by the angle of its normal.
 
     The inner faces of a square tube look the same ways as its outer ones. What is by far narrower than the widest side
     breaks a corner.
     """
     u, v = across(axis)
-    found: list[tuple[float, float, float]] = []
+    found: list[_Side] = []
     for i in faces:
         face = brep.faces[i]
         if face.kind is not SurfaceKind.PLANE or abs(dot(face.axis, axis)) > UPRIGHT:
             continue
-        angle, level = math.atan2(dot(face.axis, v), dot(face.axis, u)), dot(face.point, face.axis)
-        alike = (side for side in found if abs(math.remainder(angle - side[0], 2 * math.pi)) < TURN_RAD)
+        x, y = dot(face.axis, u), dot(face.axis, v)
+        along = add(scale(u, -y), scale(v, x))
+        side = _Side(
+            math.atan2(y, x),
+            dot(face.point, face.axis),
+            *span((p for e in brep.face_edges[i] for p in brep.edge_points[e]), along),
+        )
+        alike = (one for one in found if abs(math.remainder(side.angle - one.angle, 2 * math.pi)) < TURN_RAD)
         known = next(alike, None)
-        low, high = span((p for e in brep.face_edges[i] for p in brep.edge_points[e]), cross(axis, face.axis))
-        wide = high - low
-        if known is not None and known[1] > level - LEVEL_M:
-            angle, level, wide = *known[:2], max(known[2], wide if known[1] < level + LEVEL_M else 0.0)
-        found = [(angle, level, wide), *(side for side in found if side is not known)]
-    widest = max((wide for *_, wide in found), default=0.0)
-    return sorted((angle, level) for angle, level, wide in found if wide >= BROKEN * widest)
+        if known is not None and known.level > side.level - LEVEL_M:
+            level = known.level < side.level + LEVEL_M
+            side = replace(known, low=min(known.low, side.low), high=max(known.high, side.high)) if level else known
+        found = [side, *(one for one in found if one is not known)]
+    widest = max((side.high - side.low for side in found), default=0.0)
+    return sorted((s for s in found if s.high - s.low >= BROKEN * widest), key=lambda side: side.angle)
 
 
 def flats_on_round(brep: Brep, walls: Iterable[int], axis: Vector) -> float | None:
