@@ -198,3 +198,18 @@ def test_bosses_on_two_walls_of_a_hollow_body_are_no_hub_through_it() -> None:
     one_bore = cut(body, cylinder(8, 80, (0, 0, -10)))
     hubs = [[part for part in find(shape).parts if "hub" in part.tags] for shape in (one_bore, two_bores)]
     assert [len(each) for each in hubs] == [1, 0]
+
+
+def test_flanges_at_the_ends_of_a_pipe_make_no_hub_around_it() -> None:
+    pipe = cut(fuse(cylinder(15, 100), cylinder(25, 4), cylinder(25, 4, (0, 0, 96))), cylinder(12, 100))
+    through_a_wall = cut(fuse(box((80, 80, 10), (-40, -40, 45)), cylinder(25, 100)), cylinder(12, 100))
+    hubs = [[part for part in find(shape).parts if "hub" in part.tags] for shape in (pipe, through_a_wall)]
+    assert [len(each) for each in hubs] == [0, 1]
+
+
+def test_rings_on_the_lugs_of_a_fork_are_no_hub_across_its_gap() -> None:
+    rings = cylinder(15, 72, (0, 36, 30), (0, -1, 0))
+    block = cut(fuse(box((60, 60, 60), (-30, -30, 0)), rings), cylinder(9, 72, (0, 36, 30), (0, -1, 0)))
+    forked = cut(block, box((60, 30, 50), (-30, -15, 10)))
+    hubs = [[part for part in find(shape).parts if "hub" in part.tags] for shape in (block, forked)]
+    assert [len(each) for each in hubs] == [1, 0]

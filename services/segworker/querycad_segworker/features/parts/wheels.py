@@ -130,7 +130,8 @@ def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator
 
     A thin and slender one is a tube, as those that go through the plates of a heat exchanger.
     """
-    ends = [_End(boss.tip, boss.normal, boss.radius, boss.body, boss.faces) for boss in bosses if boss.hole is not None]
+    bored = [boss for boss in bosses if boss.hole is not None and _ends_a_core(boss, bosses)]
+    ends = [_End(boss.tip, boss.normal, boss.radius, boss.body, boss.faces) for boss in bored]
     ends += [_End(one.opening, one.normal, one.core_radius, one.body, one.faces) for one in holes if one.core_radius]
     through = [hole for hole in holes if hole.bottom is Bottom.THROUGH and hole.core_radius is None]
     left = ends
@@ -144,8 +145,9 @@ def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator
             continue
         high = max(level for level, end in zip(levels, own, strict=True) if dot(end.normal, first.normal) > 0)
         low = min(level for level, end in zip(levels, own, strict=True) if dot(end.normal, first.normal) < 0)
-        if bore.depth < RUNS * (high - low):
-            continue  # the bore of one wall of a hollow body, with another boss on the wall across
+        runs = sum(abs(dot(sub(section.end, section.start), first.normal)) for section in bore.sections)
+        if runs < RUNS * (high - low):
+            continue  # bosses on two walls with a gap between them: of a hollow body, or the lugs of a fork
         faces = tuple(sorted({face for end in own for face in end.faces}))
         is_tube = exceeds(bore.radius, TUBE_RATIO * first.radius) and exceeds(high - low, SLENDER * 2 * first.radius)
         name = "tube" if is_tube else "hub"
@@ -170,6 +172,25 @@ def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator
             area=faces_area(brep, faces),
             evidence=geometry("cylinders around a bore that end on both sides"),
         )
+
+
+def _ends_a_core(boss: Boss, bosses: Sequence[Boss]) -> bool:
+    """May a hub end in the tip of a boss: does it come out of something wider, and does nothing wider end it?
+
+    A flange at the end of a pipe comes out of what is narrower; so does the flange of a spool.
+    """
+    near = ON_AXIS * boss.radius
+    for other in bosses:
+        on_axis = line_distance(other.base, boss.base, boss.normal) < near and parallel(other.normal, boss.normal, 1e-2)
+        if other is boss or other.body != boss.body or not on_axis:
+            continue
+        base, tip = (
+            any(abs(dot(sub(end, at), boss.normal)) < near for end in (other.base, other.tip))
+            for at in (boss.base, boss.tip)
+        )
+        if (base and other.radius < boss.radius + near) or (tip and other.radius > boss.radius + near):
+            return False
+    return True
 
 
 def _same_core(first: _End, end: _End) -> bool:
