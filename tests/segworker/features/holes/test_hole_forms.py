@@ -193,3 +193,29 @@ def test_the_roof_and_the_bottom_of_a_chamber_are_no_countersinks() -> None:
 def test_a_cone_from_either_face_down_to_the_bore_is_a_countersink() -> None:
     block = cut(box((60, 60, 20), (-30, -30, 0)), cylinder(5, 20), cone(10, 5, 5), cone(5, 10, 5, (0, 0, 15)))
     assert [sink.diameter for sink in find(block).of("countersink")] == near(20, 20)
+
+
+@pytest.mark.parametrize("band", [0.0, 8.0])
+def test_the_bowl_of_a_funnel_is_no_countersink_and_the_band_at_its_rim_no_counterbore(band: float) -> None:
+    inside = [cylinder(5, 40), cone(5, 40, 35, (0, 0, 40)), *([cylinder(40, band, (0, 0, 75))] if band else [])]
+    outside = [
+        cylinder(6.5, 40),
+        cone(6.5, 41.5, 35, (0, 0, 40)),
+        *([cylinder(41.5, band, (0, 0, 75))] if band else []),
+    ]
+    found = find(cut(fuse(*outside), *inside))
+    assert not {"countersink", "counterbore", "spotface"} & {part.kind for part in found.parts}
+    assert {"through", "tapered"} <= set(found.hole.tags)
+    assert found.hole.diameter == pytest.approx(10 * MM)
+
+
+def test_a_sunk_countersink_and_a_step_that_a_drill_left_are_no_bowl() -> None:
+    sunk = find(
+        cut(plate(), cylinder(4.5, 30, (0, 0, -25)), cone(9, 4.5, 4.5, (0, 0, -3), DOWN), cylinder(9, 3, along=DOWN))
+    )
+    assert child(sunk, sunk.hole, "countersink").diameter == pytest.approx(18 * MM)
+    assert child(sunk, sunk.hole, "spotface").diameter == pytest.approx(18 * MM)
+    drilled = find(
+        cut(plate(), cylinder(3, 30, (0, 0, -25)), cone(10, 3, 4, (0, 0, -12), DOWN), cylinder(10, 12, along=DOWN))
+    )
+    assert child(drilled, drilled.hole, "counterbore").diameter == pytest.approx(20 * MM)

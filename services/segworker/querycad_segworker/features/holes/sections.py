@@ -9,7 +9,7 @@ from dataclasses import replace
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.coaxial_stacks import radius_at, wall_range
 from querycad_segworker.features.shared.walls import Axis, Wall
-from querycad_segworker.tolerances import Tolerances, reaches
+from querycad_segworker.tolerances import Tolerances, exceeds, reaches
 from querycad_segworker.vectors import scale
 
 from .hole import Section, SectionKind
@@ -21,6 +21,10 @@ screws are about twice as wide as their shank (ISO 10642), edge-breaking chamfer
 TAPER = math.tan(math.radians(25.0))
 """A cone that leans less, and is longer than its narrow end's radius, is a tapered bore: countersinks enclose 60
 degrees and more (DIN 74), and lead-in chamfers are short."""
+
+BOWL_RATIO = 3.0
+"""A cone more than this many times as wide as its narrow end is a bowl, as of a funnel, and no countersink: what heads
+of screws (ISO 10642) and centres (DIN 332) need is some two times as wide as what goes on below."""
 
 COUNTERBORE_RATIO = 1.3
 """A counterbore for a head is at least this many times as wide as its bore, about 1.7 to 2 times in DIN 974-1; narrower
@@ -63,6 +67,7 @@ def sections_of(
         radius, end_radius = radius_at(axis, wall, start_high), radius_at(axis, wall, not start_high)
         inside = inwards[i - 1] if from_far else inwards[min(i + 1, len(inwards) - 1)]
         above = i < bores[0] or from_far
+        over = inwards[min(i + 1, len(inwards) - 1)] if from_far else inwards[max(i - 1, 0)]
         if wall is point:
             kind = SectionKind.DRILL_POINT
         elif wall.kind is SurfaceKind.CYLINDER:
@@ -72,18 +77,23 @@ def sections_of(
             kind = SectionKind.BORE if not stepped or wall.radius <= narrow + near else SectionKind.COUNTERBORE
             if kind is SectionKind.COUNTERBORE and not reaches(wall.radius, COUNTERBORE_RATIO * below.radius):
                 kind = SectionKind.SEAT
+            elif (
+                kind is SectionKind.COUNTERBORE and _is_bowl(inside, wall) and abs(inside.radius - wall.radius) <= near
+            ):
+                kind = SectionKind.BORE  # the band at the rim of a bowl, which has no floor
             elif kind is SectionKind.COUNTERBORE and _is_spotface(wall, inside, outside):
                 kind = SectionKind.SPOTFACE
         elif wall.kind is SurfaceKind.CONE and cylinders and radius > end_radius > 0.05 * radius:
             wide = reaches(radius, CHAMFER_RATIO * end_radius)
             kind = SectionKind.COUNTERSINK if wide else SectionKind.CHAMFER
             within = i > bores[0] and not from_far  # the roof of a chamber or the bottom of a vessel
-            if (radius - end_radius < TAPER * wall.height and wall.height > end_radius) or (wide and within):
+            slim = radius - end_radius < TAPER * wall.height and wall.height > end_radius
+            if slim or (wide and within) or _is_bowl(wall, over):
                 floored = above and reaches(end_radius, COUNTERBORE_RATIO * inside.radius)  # drafted, as in a casting
                 kind = SectionKind.COUNTERBORE if floored else SectionKind.BORE
         elif through and len(inwards) == 1 and wall.kind is SurfaceKind.CONE and end_radius > 0.05 * radius:
             leans = radius - end_radius > TAPER * wall.height  # a countersink as deep as the sheet is thick
-            kind = SectionKind.COUNTERSINK if leans else SectionKind.BORE
+            kind = SectionKind.COUNTERSINK if leans and not _is_bowl(wall, wall) else SectionKind.BORE
         else:
             kind = SectionKind.BORE
         normal = axis.direction if start_high else scale(axis.direction, -1.0)
@@ -127,6 +137,18 @@ def _is_spotface(wall: Wall, inside: Wall, outside: Sequence[Wall]) -> bool:
     """The shallow wide first step that only faces the surface around the bore."""
     first = all(w.kind is not SurfaceKind.CYLINDER for w in outside)
     return first and inside.radius < wall.radius and not reaches(wall.height, SPOTFACE_RATIO * 2 * wall.radius)
+
+
+def _is_bowl(wall: Wall, over: Wall) -> bool:
+    """Is it a cone that widens as the bowl of a funnel does? `over`: the wall above it, or itself.
+
+    Below a cylinder that is longer than it, it is the end that a drill left.
+    """
+    if wall.kind is not SurfaceKind.CONE or not exceeds(
+        wall.radius, BOWL_RATIO * min(wall.radius_low, wall.radius_high)
+    ):
+        return False
+    return over.kind is not SurfaceKind.CYLINDER or not exceeds(over.height, wall.height)
 
 
 def is_fine(cylinders: Sequence[Wall], axis: Axis) -> bool:
