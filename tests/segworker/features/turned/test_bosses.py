@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import (
@@ -195,3 +197,24 @@ def test_a_cross_hole_makes_no_shaft_hollow() -> None:
     (tube,) = find(cut(shaft, pin, cylinder(5, 80))).of("body")
     assert "hollow" in tube.tags
     assert tube.inner_diameter == pytest.approx(10 * MM)
+
+
+@pytest.mark.parametrize(("narrow", "thickness"), [(8.0, 3 * math.sqrt(0.5)), (6.0, None)])
+def test_a_hollow_cone_is_as_thick_as_its_wall_unless_that_tapers(narrow: float, thickness: float | None) -> None:
+    bowl = cut(cone(11, 41, 30), cone(narrow, 38, 30))
+    (shell,) = find(bowl).of("boss")
+    assert shell.thickness == (None if thickness is None else pytest.approx(thickness * MM))
+    assert ("tube" in shell.tags, "flat" in shell.tags) == (False, False)
+    assert list(shell.radii) == near(41, 38)
+
+
+def test_a_countersink_in_the_end_of_a_boss_does_not_widen_its_bore() -> None:
+    (boss,) = find(fuse(plate(), cut(cylinder(10, 16), cylinder(3, 16), cone(3, 8, 9, (0, 0, 7))))).of("boss")
+    assert [boss.thickness, *boss.radii] == near(7, 10, 3)
+
+
+def test_the_rim_of_a_pot_is_as_wide_inside_as_the_pot_there() -> None:
+    pot = fuse(cone(40, 54, 100), cylinder(60, 14, (0, 0, 96)))
+    found = find(cut(pot, cone(37.4, 51.96, 104, (0, 0, 6)), cylinder(5, 6)))
+    (rim,) = [boss for boss in found.of("boss") if "conical" not in boss.tags]
+    assert list(rim.radii) == near(60, 51.96)

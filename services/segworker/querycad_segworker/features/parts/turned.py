@@ -28,12 +28,11 @@ WHOLE_CIRCLE, SHARP = 0.9, 0.5
 def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Part:
     """A round protrusion as a part; its height runs along its own axis from base to tip, its depth is its bore's.
 
-    Its thickness is its height where it is flat, that of its wall where it is hollow. The length of a shaft's step runs
-    along the axis; that of a boss is its longer dimension. A rim is as wide as it is high.
+    Its thickness is its height where it is flat, that of its wall where it is hollow and does not taper. The length of
+    a shaft's step runs along the axis; that of a boss is its longer dimension. A rim is as wide as it is high.
     """
     bore = None if boss.hole is None else holes[boss.hole]
     flat, axial = "flat" in boss.tags, "stepped" in boss.tags or "slender" in boss.tags
-    wall = None if boss.bore_radius is None else boss.radius - boss.bore_radius
     return Part(
         id=f"boss-{number}",
         kind="boss",
@@ -50,7 +49,7 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
         depth=None if bore is None else bore.depth,
         width=boss.height if RIM in boss.tags else 2 * boss.radius,
         length=boss.height if axial else max(boss.height, 2 * boss.radius),
-        thickness=boss.height if flat else wall,
+        thickness=boss.height if flat else boss.wall,
         tip=boss.tip,
         tips=boss.tips or (boss.tip,),
         pitch=boss.pitch,

@@ -35,6 +35,9 @@ is none."""
 FLANGE_RATIO = 1.2
 """A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 
+EVEN = 0.1
+"""The wall of a hollow cone is as thick at both ends, but for this share; else it tapers, and has no one thickness."""
+
 BREAK = 0.2
 """The chamfer of an edge is lower than this share of the radius."""
 LEANS = 0.5
@@ -55,8 +58,9 @@ class Boss:
 
     `normal` points from `base` to `tip` along the axis. `radius` is the widest.
     `hole` is the index of the coaxial hole in its tip, of a standoff or ring, `bore_radius` that hole's radius where it
-    runs through the step; None of a shaft with no more than a hole in its end. `breaks` are chamfers at its ends;
-    `step_of` counts the steps of its stack.
+    runs through the step, of a tapered bore at the step's wide end; None of a shaft with no more than a hole in its
+    end. `wall` is the thickness of what is around the bore, square to the bore where that tapers; None where it is not
+    hollow, or the wall tapers. `breaks` are chamfers at its ends; `step_of` counts the steps of its stack.
     """
 
     base: Vector
@@ -69,6 +73,7 @@ class Boss:
     body: int
     hole: int | None
     bore_radius: float | None
+    wall: float | None
     breaks: tuple[Section, ...]
     step_of: int
     pitch: float | None = None
@@ -240,11 +245,11 @@ def _boss(
         if end_face is not None:
             faces.add(end_face)
     hole = _hole_in(holes, axis, wall, tip, base)
-    bore_radius = None if hole is None else _bore_radius(holes[hole], axis, low, high)
+    bore = None if hole is None else _bore(holes[hole], axis, wall, low, high)
     bored = 0.0 if hole is None else _bored(holes[hole], axis, low, high)
     if stack.open_both and high - low > SLENDER * 2 * wall.radius and bored <= HOLLOW * (high - low):
-        bore_radius = None  # a centre hole in its end makes no shaft hollow
-    tags = _tags(stack, steps, step, high - low, bore_radius, bored, on_both=is_clasped(brep, axis, own))
+        bore = None  # a centre hole in its end makes no shaft hollow
+    tags = _tags(stack, steps, step, high - low, bore, bored, on_both=is_clasped(brep, axis, own))
     return Boss(
         base=base,
         tip=tip,
@@ -255,7 +260,8 @@ def _boss(
         faces=tuple(sorted(faces)),
         body=wall.body,
         hole=hole,
-        bore_radius=bore_radius,
+        bore_radius=None if bore is None else bore.radius,
+        wall=None if bore is None else bore.wall,
         breaks=tuple(breaks),
         step_of=len(steps),
         lean=_lean(wall),
@@ -278,7 +284,7 @@ def _tags(
     steps: Sequence[tuple[Wall, ...]],
     step: tuple[Wall, ...],
     height: float,
-    bore_radius: float | None,
+    bore: _Bore | None,
     bored: float,
     *,
     on_both: bool,
@@ -294,7 +300,8 @@ def _tags(
     ends = ((stack.low_end, 0), (stack.high_end, len(steps) - 1))
     undercut = any(end is End.CLOSED and place == last for end, last in ends)
     beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
-    flat = not reaches(height, FLAT * 2 * radius) and not goes_on(steps, place)
+    shell = bore is not None and bore.lean > DRAFT_RAD and _lean(step[0]) > DRAFT_RAD  # however low, it is no disc
+    flat = not shell and not reaches(height, FLAT * 2 * radius) and not goes_on(steps, place)
     tags = [*_form(step[0]), "circular"]
     if exceeds(height, SLENDER * 2 * radius):
         tags.append("slender")
@@ -302,9 +309,10 @@ def _tags(
         tags.append("flat")
     if any(part.pitch is not None for part in step):
         tags.append("threaded")
-    if bore_radius is not None:
+    if bore is not None:
         tags.append("hollow")
-        if not flat and reaches(bore_radius, TUBE_RATIO * radius) and exceeds(bored, HOLLOW * height):
+        straight = bore.lean <= DRAFT_RAD
+        if straight and not flat and reaches(bore.radius, TUBE_RATIO * radius) and exceeds(bored, HOLLOW * height):
             tags.append("tube")
     if free:
         tags.append("free")
@@ -317,7 +325,7 @@ def _tags(
         tags.append("raised")
     if flat and beside and exceeds(radius, FLANGE_RATIO * max(beside)):
         tags.append("flange")
-    if flat and (on_both or is_collar(steps, place, hollow=bore_radius is not None, undercut=undercut)):
+    if flat and (on_both or is_collar(steps, place, hollow=bore is not None, undercut=undercut)):
         tags.append("collar")
     tags += ["land"] * (len(steps) > 2 and all(radius > ALIKE * other for other in beside))
     return tuple(tags)
@@ -399,16 +407,46 @@ def _bored(hole: Hole, axis: Axis, low: float, high: float) -> float:
     return min(max(reach), high) - max(min(reach), low)
 
 
-def _bore_radius(hole: Hole, axis: Axis, low: float, high: float) -> float:
-    """The radius of the hole where most of it runs through the step between `low` and `high`."""
-    best, widest = hole.radius, 0.0
+@dataclass(frozen=True, slots=True)
+class _Bore:
+    """A bore where it runs through a step. Metres; `lean` in radians between its wall and its axis."""
+
+    radius: float
+    wall: float | None
+    lean: float
+
+
+def _bore(hole: Hole, axis: Axis, step: Wall, low: float, high: float) -> _Bore:
+    """What is the hole where most of it runs through the step between `low` and `high`?
+
+    A tapered section counts where it runs through more than half of the step, with its radius at the wide end.
+    """
+    best, widest = _Bore(hole.radius, step.radius - hole.radius, 0.0), 0.0
     for section in hole.sections:
-        a, b = sorted((axis.position(section.start), axis.position(section.end)))
-        overlap = min(b, high) - max(a, low)
-        straight = section.kind in _CYLINDRICAL and section.radius == section.end_radius
-        if straight and overlap > widest * 1.001:
-            best, widest = section.radius, overlap
+        ends = axis.position(section.start), axis.position(section.end)
+        a, b = max(min(ends), low), min(max(ends), high)
+        if section.kind not in _CYLINDRICAL or b - a <= widest * 1.001:
+            continue
+        if section.radius == section.end_radius:
+            best, widest = _Bore(section.radius, step.radius - section.radius, 0.0), b - a
+        elif b - a > 0.5 * (high - low):
+            best, widest = _tapered_bore(section, axis, step, (a, b)), b - a
     return best
+
+
+def _tapered_bore(section: Section, axis: Axis, step: Wall, between: tuple[float, float]) -> _Bore:
+    """The bore with a conical wall that runs through a step between these two positions on the axis."""
+    from_, to = axis.position(section.start), axis.position(section.end)
+    slope = (section.end_radius - section.radius) / (to - from_)
+    low, high = wall_range(axis, step)
+    outer = radius_at(axis, step, False), radius_at(axis, step, True)
+    inner = [section.radius + slope * (at - from_) for at in between]
+    walls = [
+        outer[0] + (outer[1] - outer[0]) * (at - low) / (high - low) - r for at, r in zip(between, inner, strict=True)
+    ]
+    lean = math.atan(abs(slope))
+    even = min(walls) > (1 - EVEN) * max(walls)
+    return _Bore(max(inner), max(walls) * math.cos(lean) if even else None, lean)
 
 
 def _tip_is_high(stack: Stack, wall: Wall) -> bool:
