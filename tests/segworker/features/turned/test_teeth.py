@@ -195,3 +195,21 @@ def test_the_slots_of_a_castle_nut_are_slots_and_its_flats_no_teeth() -> None:
     found = find(cut(extruded(corners, 0, 16), cylinder(6, 16), *slits))
     assert found.of("gear") == []
     assert [slot.width for slot in found.of("slot")] == pytest.approx([4 * MM] * 6)
+
+
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_a_hexagon_beside_splines_does_not_count_as_their_teeth(degrees: float) -> None:
+    hexagon = [(14 * math.cos(i * math.pi / 3), 14 * math.sin(i * math.pi / 3)) for i in range(6)]
+    tool = fuse(extruded(hexagon, -20, 16), cylinder(15, 4, (0, 0, -4)), gear(12, 11.6, 10.2, 9))
+    (splines,) = find(turned(cut(tool, cylinder(6, 40, (0, 0, -25))), (1, 2, 3), degrees)).of("gear")
+    assert (splines.count, splines.width) == (12, pytest.approx(9 * MM))
+    assert splines.diameter == pytest.approx(23.2 * MM)
+
+
+def test_teeth_on_one_root_cylinder_are_one_gear_and_a_nut_is_none() -> None:
+    teeth = [turned(box((8, 4, 10), (14, -2, 0)), (0, 0, 1), 36 * i) for i in range(10)]
+    (one,) = find(fuse(cylinder(16, 10), *teeth)).of("gear")
+    assert one.count == 10
+    hexagon = [(14 * math.cos(i * math.pi / 3), 14 * math.sin(i * math.pi / 3)) for i in range(6)]
+    nut = fuse(extruded(hexagon, 0, 10), cylinder(16, 3, (0, 0, -3)))
+    assert find(cut(nut, cylinder(6, 20, (0, 0, -5)))).of("gear") == []

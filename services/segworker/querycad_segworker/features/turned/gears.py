@@ -30,6 +30,9 @@ MAIN_FLANK = 0.5
 SQUARE = 1e-3
 """Walls of a slot are parallel, and along the axis, to this sine; cosines near one deviate by its square, and less."""
 
+Ring = tuple[int, list[FaceRecord]]
+"""How often faces repeat around an axis, and the faces."""
+
 
 @dataclass(frozen=True, slots=True)
 class Tooth:
@@ -69,7 +72,8 @@ def recognise_gears(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -
     """Which gears, splines and other toothed rings does the model have? Sorted by lowest face id.
 
     Around each axis on which round walls lie, faces of one size, distance and height form a ring when they stand at
-    equal angles. At least three such rings with the same count, touching each other, are teeth.
+    equal angles. At least three such rings with the same count, touching each other, are teeth; what stands elsewhere on
+    the axis, as a hexagon beside splines does, is counted for itself.
     """
     found: list[Gear] = []
     for body in brep.bodies:
@@ -77,9 +81,11 @@ def recognise_gears(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -
         if len(members) < MIN_TEETH * 2:
             continue
         for axis in main_axes([w for w in walls if w.body == body.id], tolerances):
-            gear = _gear(brep, members, axis, body.id, tolerances)
-            if gear is not None and not any(set(gear.faces) & set(other.faces) for other in found):
-                found.append(gear)
+            rings = _touching(brep, _without_windows(brep, _rings(members, axis, tolerances), axis))
+            for together in _apart(brep, rings):
+                gear = _gear(brep, together, axis, body.id, tolerances)
+                if gear is not None and not any(set(gear.faces) & set(other.faces) for other in found):
+                    found.append(gear)
     return sorted(found, key=lambda gear: gear.faces[0])
 
 
@@ -110,8 +116,7 @@ def main_axes(walls: Sequence[Wall], tolerances: Tolerances) -> list[Axis]:
     return [axes[i] for i in heaviest[:3]]
 
 
-def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolerances: Tolerances) -> Gear | None:
-    rings = _touching(brep, _without_windows(brep, _rings(faces, axis, tolerances), axis))
+def _gear(brep: Brep, rings: Sequence[Ring], axis: Axis, body: int, tolerances: Tolerances) -> Gear | None:
     if all(_looks_out(face, axis, tolerances) for _, ring in rings for face in ring):
         return None  # no flank rises between the flats of a nut
     # Two flanks a tooth may stand at nearly equal angles, and seem to repeat twice as often as the teeth.
@@ -173,16 +178,25 @@ def _looks_out(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
     return _is_coaxial(face, axis, tolerances) or abs(dot(face.point_normal, unit(around))) < SQUARE
 
 
-def _touching(brep: Brep, rings: Sequence[tuple[int, list[FaceRecord]]]) -> list[tuple[int, list[FaceRecord]]]:
+def _apart(brep: Brep, rings: Sequence[Ring]) -> list[list[Ring]]:
+    """The rings in groups whose faces touch each other."""
+    owner = {face.id: index for index, (_, ring) in enumerate(rings) for face in ring}
+
+    def beside(index: int) -> set[int]:
+        neighbours = (other for face in rings[index][1] for _, other in brep.neighbours(face.id))
+        return {owner[other] for other in neighbours if other in owner}
+
+    return [[rings[index] for index in sorted(group)] for group in parted(range(len(rings)), beside)]
+
+
+def _touching(brep: Brep, rings: Sequence[Ring]) -> list[Ring]:
     """Those rings of which every face has two neighbours or more in one of them."""
     patterned = {face.id for _, ring in rings for face in ring}
     touching = {face for face in patterned if sum(other in patterned for _, other in brep.neighbours(face)) >= 2}
     return [(count, ring) for count, ring in rings if all(face.id in touching for face in ring)]
 
 
-def _without_windows(
-    brep: Brep, rings: Sequence[tuple[int, list[FaceRecord]]], axis: Axis
-) -> list[tuple[int, list[FaceRecord]]]:
+def _without_windows(brep: Brep, rings: Sequence[Ring], axis: Axis) -> list[Ring]:
     """Those rings whose faces are not walls of windows beside the axis: walls that touch and face each other."""
     faces = {face.id: face for _, ring in rings for face in ring}
     windows: set[int] = set()
@@ -235,7 +249,7 @@ def _is_floor(brep: Brep, face: FaceRecord, axis: Axis, own: set[int]) -> bool:
     return bool(inner) and all(edge.convexity is EdgeConvexity.CONCAVE for edge in inner)
 
 
-def _rings(faces: Sequence[FaceRecord], axis: Axis, tolerances: Tolerances) -> list[tuple[int, list[FaceRecord]]]:
+def _rings(faces: Sequence[FaceRecord], axis: Axis, tolerances: Tolerances) -> list[Ring]:
     """Groups of alike faces that repeat around the axis, each with how often."""
     groups: dict[tuple[object, ...], list[FaceRecord]] = defaultdict(list)
     for face in faces:
