@@ -39,14 +39,7 @@ from .holes.hole import Hole
 from .holes.recognise import recognise_holes
 from .parts.bent_arcs import bent_arc_part, recognise_bent_arcs
 from .parts.depressions import blend_part, depression_part, turned_groove_part
-from .parts.flat_walls import (
-    besides_fins,
-    flat_wall_part,
-    is_in_wall,
-    recognise_flat_walls,
-    sides_of_boxes,
-    with_fins,
-)
+from .parts.flat_walls import flat_wall_part, recognise_flat_walls
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
 from .parts.joined_holes import with_joined_counterbores
 from .parts.material_left import with_material_left
@@ -69,6 +62,7 @@ from .parts.relations import with_relations
 from .parts.turned import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
 from .parts.turned_pieces import crossbars
 from .parts.volumes import Volumes
+from .parts.walls_as_ribs import besides_fins, is_in_wall, sides_of_boxes, with_fins
 from .parts.wheels import wheel_parts
 from .protrusions.arms import Arm, recognise_arms, without_arms
 from .protrusions.pads import recognise_pads

@@ -118,6 +118,35 @@ def test_a_gusset_may_end_level_with_the_sides_of_what_it_braces(above: float) -
         assert [(p.thickness, p.length, p.height) for p in gussets] == 2 * [pytest.approx((4 * MM, 40 * MM, 40 * MM))]
 
 
+def test_gussets_stay_gussets_however_many_are_alike_and_cooling_fins_are_none() -> None:
+    found = find(corner(*[prism([(6, y, 8), (46, y, 8), (6, y, 48)], (0, 4, 0)) for y in (3, 18, 33)]))
+    assert ["gusset" in rib.tags for rib in found.of("rib")] == 3 * [True]
+    assert [rib.thickness for rib in found.of("rib")] == pytest.approx(3 * [4 * MM])
+    fins = find(fuse(box((80, 40, 8)), *[box((80, 4, 30), (0, y, 8)) for y in (3, 18, 33)])).of("rib")
+    assert [("gusset" in rib.tags, "fin" in rib.tags) for rib in fins] == 3 * [(False, True)]
+
+
+def test_the_upright_between_two_gussets_is_a_leg_and_neither_floor_nor_rib() -> None:
+    pair = [prism([(6, y, 8), (46, y, 8), (6, y, 48)], (0, 4, 0)) for y in (0, 36)]
+    braced = find(fuse(box((80, 60, 8), (0, -10, 0)), box((6, 40, 60)), *pair))
+    legs = {"upright" in leg.tags: leg for leg in braced.of("wall") if "leg" in leg.tags}
+    assert (legs[True].thickness, legs[True].height) == pytest.approx((6 * MM, 60 * MM))
+    assert not braced.of("floor")
+    assert ["gusset" in rib.tags for rib in braced.of("rib")] == [True, True]
+    trough = cut(box((80, 40, 40)), box((80, 34, 37), (0, 3, 3)))
+    assert [floor.thickness for floor in find(trough).of("floor")] == pytest.approx([3 * MM])
+
+
+def test_a_side_of_a_tray_is_no_rib_where_a_tab_stands_out_below_it_and_a_divider_is_one() -> None:
+    sides = cut(box((80, 60, 26)), box((74, 54, 23), (3, 3, 3)))
+    tabbed = find(fuse(sides, box((18, 20, 3), (31, -20, 0))))
+    assert not tabbed.of("rib")
+    assert len(tabbed.of("wall")) == 4
+    for standing in (sides, box((80, 60, 3))):
+        (rib,) = find(fuse(standing, box((3, 54, 15), (40, 3, 3)))).of("rib")
+        assert rib.thickness == pytest.approx(3 * MM)
+
+
 def test_a_side_of_a_box_that_is_level_with_its_outside_is_no_gusset() -> None:
     open_box = cut(box((80, 40, 60)), box((74, 32, 52), (6, 4, 8)))
     assert not [part for part in find(open_box).parts if "gusset" in part.tags]

@@ -10,7 +10,6 @@ from itertools import chain, permutations
 
 from querycad_contracts import Part, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
-from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.adjacency import breaks_edge, is_blend
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of_edges
 from querycad_segworker.features.shared.part_measures import (
@@ -34,10 +33,6 @@ FILLED = 0.4
 """A side that fills less than this share of its box is a rim, or the cross-section of a wall."""
 FLATTER = 0.8
 """A wall is thinner than it is wide, by this factor at least; else it is a bar."""
-SAME = 0.01
-"""Thicknesses that differ by less than this share are one."""
-BOX = 3
-"""An open box has at least so many sides; two are those of a channel or a corner."""
 MADE_OF = 0.6
 """A body of walls, such as an angle bracket, has more than this share of its volume in them; holes and bends are the
 rest."""
@@ -51,9 +46,6 @@ STANDS_IN = frozenset(("between", "gusset"))
 """What parts two openings, or stiffens a corner, is no leg."""
 HALF_TURN_RAD = math.radians(150.0)
 """The end of an ear is round by so much at least."""
-EDGE = 0.5
-"""What is smaller than this share of the wall that has its sides is an edge of that wall, and no rib: a rib fills most
-of the wall between its flanks."""
 FORKS = (DepressionKind.SLOT, DepressionKind.CHANNEL, DepressionKind.NOTCH)
 UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 """Slots that no fork has."""
@@ -82,6 +74,8 @@ class FlatWall:
     """Of a leg that stands upright, to the outside of what it stands on."""
     is_thin: bool = True
     """Thinner than a third of its width. What is thicker is a wall only beside a pocket, or on one that is thin."""
+    encloses: bool = False
+    """One of its sides, and not the other, is a side of a closed pocket, or the end of a channel."""
 
     @property
     def volume(self) -> float:
@@ -98,14 +92,14 @@ def recognise_flat_walls(
     """Which flat walls does the model have: sides and floors of boxes, legs of brackets, webs, ears? By lowest face id.
 
     `opposite_m2`: how much of a plane face has another one straight behind it, across the material. Pieces of one plane
-    that have one face behind them are one side. Floors are those that a pocket or channel ends at.
+    that have one face behind them are one side. Floors are those that a pocket or channel ends at; the channel between
+    two gussets ends at a leg.
     """
     alike: dict[tuple[int, int], list[tuple[int, int]]] = defaultdict(list)
     for a, b in _pairs(brep, opposite_m2):
         thickness = round(_gap(brep, a, b) * OFF_ROUND / (3 * tolerances.length))
         alike[brep.faces[a].body, thickness].append((a, b))
     floored = [found for found in depressions if found.kind in (DepressionKind.POCKET, DepressionKind.CHANNEL)]
-    floors = {face: found.normal for found in floored for face in found.floor}
     closed = (DepressionKind.POCKET, DepressionKind.PASSAGE)
     beside = {
         face: number
@@ -118,14 +112,15 @@ def recognise_flat_walls(
     pockets = {face: depressions[n] for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
     aside = {face: FLATTER * pocket.depth for face, pocket in pockets.items()}
     below = {face: FLATTER * found.depth for found in floored for face in found.floor}
-    thin: list[FlatWall] = []
-    low: list[FlatWall] = []
-    for pairs in alike.values():
-        for faces in linked({i for pair in pairs for i in pair}, pairs):
-            wall = _wall(brep, faces, slots, aside, below, beside)
-            if wall is not None:
-                wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
-                (thin if wall.is_thin else low).append(wall)
+    sides = (faces for pairs in alike.values() for faces in linked({i for pair in pairs for i in pair}, pairs))
+    found = [wall for faces in sides if (wall := _wall(brep, faces, slots, aside, below, beside)) is not None]
+    found = [_gusset(brep, wall) or wall for wall in found]
+    ends = {face for cut in floored if cut.kind is DepressionKind.CHANNEL for face in cut.floor}
+    floors = _floors(floored, found)
+    placed = [_between(brep, _with_place(wall, floors), beside) for wall in found]
+    placed = [_as_enclosing(brep, wall, pockets.keys() | ends) for wall in placed]
+    thin = [wall for wall in placed if wall.is_thin]
+    low = [wall for wall in placed if not wall.is_thin]
     thin = [wall for wall in thin if not _is_pad(brep, wall, thin)]
     low = [_as_tine(brep, wall, slots) for wall in low if not _is_pad(brep, wall, thin)]
     low = [
@@ -319,6 +314,19 @@ def _is_ear(brep: Brep, face: FaceRecord) -> bool:
     return False
 
 
+def _floors(cuts: Iterable[Depression], walls: Sequence[FlatWall]) -> dict[int, Vector]:
+    """The faces that these cuts end at, and the way each opens; not that of a channel with a gusset for a side."""
+    gussets = {face for wall in walls if "gusset" in wall.tags for face in wall.faces}
+    open_ = (cut for cut in cuts if cut.kind is not DepressionKind.CHANNEL or gussets.isdisjoint(cut.faces))
+    return {face: cut.normal for cut in open_ for face in cut.floor}
+
+
+def _as_enclosing(brep: Brep, wall: FlatWall, inner: Collection[int]) -> FlatWall:
+    """The same wall, with the mark where one of its sides has faces among the inner ones, and the other has none."""
+    one, other = (not side.isdisjoint(inner) for side in _sides(brep, wall))
+    return replace(wall, encloses=one != other)
+
+
 def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
     """The same wall, as a floor where a pocket or channel ends at it; a roof where that opens downwards."""
     tags = (*wall.tags, stance(wall.normal))
@@ -327,55 +335,6 @@ def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
         return replace(wall, tags=tags)
     roof = ("roof",) if any(normal[2] < UPRIGHT - 1 for normal in opens) else ()
     return replace(wall, is_floor=True, tags=(*tags, *roof))
-
-
-def with_fins(walls: Sequence[FlatWall], flanks: Sequence[frozenset[int]]) -> list[FlatWall]:
-    """The same walls; those between the flanks of fins are marked: they are fins, and no walls of a housing."""
-    return [
-        replace(wall, tags=(*wall.tags, "fin")) if any(map(frozenset(wall.faces).issuperset, flanks)) else wall
-        for wall in walls
-    ]
-
-
-def is_in_wall(rib: Rib, walls: Sequence[FlatWall]) -> bool:
-    """Is it no rib by itself: a gusset, or an edge of a larger wall between the same two sides?"""
-    flanks = set(rib.flanks)
-    return any(
-        not flanks.isdisjoint(wall.faces)
-        if "gusset" in wall.tags
-        else len(flanks) > 1
-        and "fin" not in wall.tags
-        and flanks.issubset(wall.faces)
-        and rib.length * rib.height < EDGE * wall.length * wall.width
-        for wall in walls
-    )
-
-
-def besides_fins(bodies: Mapping[int, float], walls: Sequence[FlatWall]) -> dict[int, float]:
-    """The thickness that most walls of each body share; where those are fins, that of its largest other wall."""
-    found = dict(bodies)
-    for body in {wall.body for wall in walls if "fin" in wall.tags} & bodies.keys():
-        own = [wall for wall in walls if wall.body == body]
-        others = [wall for wall in own if "fin" not in wall.tags and not wall.is_floor]
-        alike = (wall for wall in own if abs(wall.thickness - bodies[body]) <= SAME * bodies[body])
-        if others and any("fin" in wall.tags for wall in alike):
-            found[body] = max(others, key=lambda wall: wall.length * wall.width).thickness
-    return found
-
-
-def sides_of_boxes(walls: Sequence[FlatWall]) -> dict[int, float]:
-    """The thickness that the sides of each body share which is an open box, metres; its floor may be thicker.
-
-    A flange around its opening lies along its floor, and is no side.
-    """
-    found = {}
-    floors = {wall.body: wall.normal for wall in walls if wall.is_floor}
-    for body, normal in floors.items():
-        own = (wall for wall in walls if wall.body == body and wall.is_thin and "fin" not in wall.tags)
-        sides = [wall.thickness for wall in own if abs(dot(wall.normal, normal)) < APART]
-        if len(sides) >= BOX and max(sides) - min(sides) <= SAME * max(sides):
-            found[body] = sides[0]
-    return found
 
 
 def _webs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
