@@ -72,8 +72,8 @@ def recognise_gears(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -
     """Which gears, splines and other toothed rings does the model have? Sorted by lowest face id.
 
     Around each axis on which round walls lie, faces of one size, distance and height form a ring when they stand at
-    equal angles. At least three such rings with the same count, touching each other, are teeth; what stands elsewhere on
-    the axis, as a hexagon beside splines does, is counted for itself.
+    equal angles. At least three such rings with the same count, touching each other, are teeth; what stands elsewhere
+    on the axis, as a hexagon beside splines does, is counted for itself.
     """
     found: list[Gear] = []
     for body in brep.bodies:
