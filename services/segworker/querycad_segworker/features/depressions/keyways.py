@@ -34,10 +34,10 @@ RING = 3
 def with_hosts(brep: Brep, found: list[Depression]) -> list[Depression]:
     """The same depressions, with tags for how they lie in what they are cut into.
 
-    'keyway': a slot or long pocket along the axis of the shaft or bore that it is cut into. 'axial': along the axis
-    of its round body, or the round part of it that it opens to. 'radial': towards that axis, or that of the widest
-    round face of a body with another outline where several do so, and not beyond it. What is cut into a round wall is
-    as deep as it lies below the crown of that wall.
+    'keyway': a slot or long pocket with plane walls along the axis of the shaft or bore that it is cut into. 'axial':
+    along the axis of its round body, or the round part of it that it opens to. 'radial': towards that axis, or that of
+    the widest round face of a body with another outline where several do so, and not beyond it. What is cut into a
+    round wall is as deep as it lies below the crown of that wall.
     """
     axes = {body.id: _round_axis(brep, body.faces) for body in brep.bodies}
     rings = _rings(found, {body.id: _widest(brep, body.faces) for body in brep.bodies if axes[body.id] is None})
@@ -82,7 +82,7 @@ def _place(brep: Brep, found: Depression, axis: FaceRecord | None, in_ring: bool
     if not _may_point(found):
         return ()
     tags = []
-    if found.kind is not DepressionKind.PASSAGE:
+    if found.kind is not DepressionKind.PASSAGE and brep.of_kind(SurfaceKind.PLANE, found.faces):
         host = _host(brep, found)
         if host is not None and host.kind is SurfaceKind.CYLINDER and parallel(host.axis, found.direction, 1e-2):
             if found.width <= KEY_SHARE * 2 * host.radius:
