@@ -18,6 +18,8 @@ from tests.segworker.shapes import (
     fuse,
     plate,
     rims,
+    torus,
+    turned,
 )
 
 from querycad_contracts import Part, Side
@@ -218,3 +220,20 @@ def test_the_rim_of_a_pot_is_as_wide_inside_as_the_pot_there() -> None:
     found = find(cut(pot, cone(37.4, 51.96, 104, (0, 0, 6)), cylinder(5, 6)))
     (rim,) = [boss for boss in found.of("boss") if "conical" not in boss.tags]
     assert list(rim.radii) == near(60, 51.96)
+
+
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_both_sides_of_a_round_groove_are_one_step(degrees: float) -> None:
+    roller = cut(cylinder(32, 160), torus(32, 4, (0, 0, 25)), torus(34, 5, (0, 0, 50)))
+    found = find(turned(roller, (1, 2, 3), degrees))
+    (step,) = found.of("boss")
+    assert [step.height, step.diameter] == near(160, 64)
+    assert len(found.of("groove")) == 2
+
+
+def test_the_fillet_at_a_shoulder_and_a_long_waist_part_steps() -> None:
+    stepped = fuse(cylinder(20, 30), cylinder(12, 30, (0, 0, 30)))
+    eased = find(filleted(stepped, 4, *rims(stepped, 12, 30)))
+    assert sorted(step.height or 0 for step in eased.of("boss")) == near(30, 30)
+    waisted = find(cut(cylinder(20, 120), torus(70, 60, (0, 0, 60))))
+    assert len(waisted.of("boss")) == 2

@@ -18,7 +18,7 @@ from querycad_segworker.features.shared.coaxial_stacks import (
 )
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE, FLAT, goes_on, is_clasped, is_collar
-from querycad_segworker.features.shared.walls import Axis, Wall
+from querycad_segworker.features.shared.walls import Axis, Wall, is_waist
 from querycad_segworker.tolerances import Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import parallel, points_up, scale
@@ -97,6 +97,8 @@ def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], t
     grown = {wall.faces for wall in walls if _grows_out(brep, wall, holes, tolerances)}
 
     def stands(wall: Wall) -> bool:
+        if wall.kind is SurfaceKind.TORUS and wall.outward < 0:
+            return _is_round_groove(brep, wall, tolerances)
         return wall.outward > 0 and (wall.encloses or wall.faces in grown)
 
     for stack in stacks(brep, walls, tolerances, stands, over_roundings=True):
@@ -107,6 +109,17 @@ def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], t
         if wall.kind is SurfaceKind.CYLINDER and not stood and wall.sweep > math.pi / 2:
             refuse("boss", wall.faces, f"its wall covers {math.degrees(wall.sweep):.0f} of 360 degrees")
     return sorted(found, key=lambda boss: boss.faces[0])
+
+
+def _is_round_groove(brep: Brep, wall: Wall, tolerances: Tolerances) -> bool:
+    """Is a hollow torus a groove turned around a step: narrower than its diameter, its throat between two wider ends?
+
+    The fillet at a shoulder ends at its throat.
+    """
+    torus = brep.faces[wall.faces[0]]
+    throat = torus.radius - torus.minor_radius
+    dips = min(wall.radius_low, wall.radius_high) > throat + 3 * tolerances.length
+    return wall.encloses and is_waist(torus) and dips and not reaches(wall.height, 2 * throat)
 
 
 def _grows_out(brep: Brep, wall: Wall, holes: Sequence[Hole], tolerances: Tolerances) -> bool:
@@ -176,7 +189,9 @@ def _is_step(wall: Wall, stack: Stack) -> bool:
 
 
 def is_neck(wall: Wall, stack: Stack) -> bool:
-    """Is it the bottom of a groove turned into a shaft: shorter than its diameter, between two wider walls?"""
+    """Is it the bottom of a groove turned into a shaft: shorter than its diameter, between wider walls, or hollow?"""
+    if wall.kind is SurfaceKind.TORUS and wall.outward < 0:
+        return True
     low, high = wall_range(stack.axis, wall)
     if wall.height >= 2 * wall.radius:
         return False
