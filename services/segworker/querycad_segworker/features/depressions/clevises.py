@@ -10,7 +10,7 @@ from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.frames import face_points, frame_of
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.tolerances import FACING
+from querycad_segworker.tolerances import FACING, reaches
 from querycad_segworker.topology import Brep, FaceRecord
 from querycad_segworker.vectors import add, dot, parallel, scale, span, sub
 
@@ -60,7 +60,7 @@ def _between(brep: Brep, rib: Rib, flanks: tuple[FaceRecord, FaceRecord], is_cle
         size = min(high, other_high) - max(low, other_low)
         if size < OVERLAP * min(high - low, other_high - other_low):
             return None
-        if gap >= size:
+        if reaches(gap, size):
             refuse("slot", (first.id, second.id), "the gap is wider than the flanks are long or high")
             return None
         wanted = (min(high, other_high) + max(low, other_low)) / 2

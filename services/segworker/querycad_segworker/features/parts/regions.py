@@ -42,7 +42,9 @@ def region_parts(brep: Brep, parts: Sequence[Part], volumes: Volumes, tolerances
         return []
     cuts = [part for part in parts if part.kind in _CUT]
     cut = frozenset(face for part in cuts for face in part.faces)
-    across = {face for part in cuts if part.kind is not PartKind.STEP for face in part.faces}
+    # The gap of a fork has no walls of its own: they are those of the lugs, which stand out.
+    sunk = [part for part in cuts if part.kind is not PartKind.STEP and "fork" not in part.tags]
+    across = {face for part in sunk for face in part.faces}
     out = frozenset(face for part in parts if part.kind in _OUT for face in part.faces)
     maker = _Maker(brep, volumes, volumes.moments, tolerances, cut)
     breaks = frozenset(face for part in parts if part.kind.breaks_edge for face in part.faces)

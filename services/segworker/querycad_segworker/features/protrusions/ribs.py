@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.frames import face_points
@@ -23,6 +23,8 @@ EDGE_BREAK = 0.1
 """Flanks that end apart by less than this share of their length differ by an edge break; else one runs on past."""
 NEAR_FOOT = 0.02
 """What lies below the foot by less than this share of the rib's height still counts as its foot."""
+HALF_ROUND = math.radians(150.0)
+"""The round top of an ear covers at least so much: half a circle, less what its sides lean towards each other."""
 FINS = 3
 """So many ribs alike, side by side, are fins."""
 
@@ -50,8 +52,11 @@ class Rib:
 
 
 def recognise_lugs(brep: Brep, tolerances: Tolerances) -> list[Rib]:
-    """Which walls longer and higher than thick stand on the model, ribs among them? Sorted by lowest face id."""
-    return _standing_walls(brep, tolerances, 1.0)
+    """Which walls longer and higher than thick stand on the model, ribs among them? Sorted by lowest face id.
+
+    Ears with round tops are among them.
+    """
+    return _standing_walls(brep, tolerances, 1.0, round_tops=True)
 
 
 def recognise_ribs(brep: Brep, tolerances: Tolerances) -> list[Rib]:
@@ -64,12 +69,13 @@ def recognise_ribs(brep: Brep, tolerances: Tolerances) -> list[Rib]:
     return _standing_walls(brep, tolerances, RIB_RATIO)
 
 
-def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float) -> list[Rib]:
+def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float, *, round_tops: bool = False) -> list[Rib]:
     """Walls on the material that are longer than thick by this ratio."""
     standing, flush = [], []
-    for top in brep.faces:
-        if top.kind is not SurfaceKind.PLANE:
-            continue
+    tops = [face for face in brep.faces if face.kind is SurfaceKind.PLANE]
+    if round_tops:
+        tops += [_crown(face) for face in brep.faces if _is_round_top(brep, face)]
+    for top in tops:
         sides = _sides(brep, top)
         footed = {face.id for _, face in sides if _feet(brep, face, top)}
         if (flanks := _opposed(sides, footed, 2)) is not None:
@@ -81,6 +87,25 @@ def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float) -> list[Ri
     row = [*ribs, *ends]
     ends = [end for end in ends if sum(_same_row(brep, end, rib, tolerances) for rib in row) >= FINS]
     return sorted([*ribs, *ends], key=lambda rib: rib.faces[0])
+
+
+def _is_round_top(brep: Brep, face: FaceRecord) -> bool:
+    """Is it the top of an ear: about half an outer cylinder that runs on into two plane sides?"""
+    if face.kind is not SurfaceKind.CYLINDER or face.outward < 0:
+        return False
+    if not HALF_ROUND <= face.sweep <= math.pi + (math.pi - HALF_ROUND):
+        return False
+    sides = {
+        other
+        for edge, other in brep.neighbours(face.id)
+        if edge.convexity is EdgeConvexity.SMOOTH and parallel(edge.direction, face.axis, 1e-2)
+    }
+    return len(sides) == 2 and all(brep.faces[side].kind is SurfaceKind.PLANE for side in sides)
+
+
+def _crown(top: FaceRecord) -> FaceRecord:
+    """A round top as the plane that touches it in its middle."""
+    return replace(top, kind=SurfaceKind.PLANE, axis=top.point_normal)
 
 
 def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own: set[int], ratio: float) -> Rib | None:
