@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 
 from querycad_contracts import Bottom, Part, PartKind, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
-from querycad_segworker.tolerances import FACING, exceeds
-from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import OFF_ROUND, dist, dot, line_distance, line_key, scale, sub, unit
+from querycad_segworker.tolerances import FACING, exceeds, significant
+from querycad_segworker.topology import REVOLVED, Brep, EdgeConvexity
+from querycad_segworker.vectors import OFF_ROUND, cross, dist, dot, line_distance, line_key, scale, sub, unit
 
 from .hierarchy import carried
 from .turned_pieces import turned_pieces
@@ -50,7 +50,7 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
     pieces = turned_pieces(parts, brep)
     pieces = {part_id: names for part_id, names in pieces.items() if not _is_of_head(part_id, names, parts, held, brep)}
     own = (_repeated(parts, shape), _patterned(parts), _ringed(parts), held, _legs(structural, shape), pieces)
-    for found in (*own, _spokes(parts, shape), _ears(parts, brep)):
+    for found in (*own, _spokes(parts, shape, brep), _ears(parts, brep)):
         for part_id, names in found.items():
             tags[part_id].extend(names)
     carried_by = carried(parts, brep)
@@ -171,17 +171,41 @@ def _is_of_head(
     return any("head" in tags and bodies[i] == bodies[part_id] for i, tags in held.items())
 
 
-def _spokes(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
-    """Bars of one size, three or more, that run out from the model's middle in different directions."""
+def _spokes(parts: Sequence[Part], shape: Shape, brep: Brep) -> dict[str, tuple[str, ...]]:
+    """Bars of one section, three or more, that run out in different directions from the model's middle or a wheel's.
+
+    Round ones may differ in length, as where one meets a boss on the rim; those that end by themselves are pins.
+    """
+    bodies = [part for part in parts if part.kind is PartKind.BODY]
+    wheels = [body for body in bodies if "circular" in body.tags and body.axis is not None]
     groups: dict[tuple[object, ...], list[Part]] = defaultdict(list)
     for part in parts:
         if part.kind in (PartKind.PRISM, PartKind.BOSS) and part.axis is not None and "plate" not in part.tags:
             off = dist(part.center, shape.center) > (part.height or 0.0) / 2
-            if off and _is_central(part, shape):
-                groups[part.kind, *_sizes(part)].append(part)
+            if off and (_is_central(part, shape) or any(_crosses(part, wheel) for wheel in wheels)):
+                if part.kind is PartKind.PRISM:
+                    groups[part.kind, *_sizes(part)].append(part)
+                elif not _is_pin(part, bodies, brep):
+                    groups[part.kind, significant(part.diameter or 0.0)].append(part)
     rays = [members for members in groups.values() if len(members) >= MIN_SPOKES]
     rays = [members for members in rays if len({line_key(p.axis) for p in members if p.axis is not None}) > 1]
     return {part.id: ("spoke",) for members in rays for part in members}
+
+
+def _crosses(bar: Part, wheel: Part) -> bool:
+    """Does a bar's axis meet the axis of a round body at a right angle?"""
+    assert bar.axis is not None
+    assert wheel.axis is not None
+    beside = dot(sub(bar.center, wheel.center), unit(cross(bar.axis, wheel.axis)))
+    return abs(dot(bar.axis, wheel.axis)) < 1 - UPRIGHT and abs(beside) <= CENTRAL_SHARE * max(wheel.extents)
+
+
+def _is_pin(bar: Part, bodies: Sequence[Part], brep: Brep) -> bool:
+    """Has a round bar an end of its own, that of a pin or screw, which is not inside the rim of the body it is on?"""
+    if bar.tip is None or all(brep.faces[i].kind in REVOLVED for i in bar.faces):
+        return False
+    own = (body for body in bodies if set(bar.faces) <= set(body.faces))
+    return not any(dist(bar.tip, body.center) < (1 - CENTRAL_SHARE) * sorted(body.extents)[1] / 2 for body in own)
 
 
 def _ears(parts: Sequence[Part], brep: Brep) -> dict[str, tuple[str, ...]]:
