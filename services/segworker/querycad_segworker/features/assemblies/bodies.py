@@ -100,7 +100,8 @@ def body_part(
         tags = (*tags, "ball", "spherical")
         measures |= {"radius": ball, "diameter": 2 * ball, "radii": (ball,)}
     if turned is not None:
-        mostly_hole = turned.bore is not None and exceeds(turned.bore.radius, HALF * turned.outer_radius)
+        wide_bore = turned.bore is not None and exceeds(turned.bore.radius, HALF * turned.outer_radius)
+        mostly_hole = wide_bore or turned.spoked
         tags = (*(tag for tag in tags if not (mostly_hole and tag == "plate")), *turned.tags)
         measures |= _turned_measures(turned, tips)
     return Part(

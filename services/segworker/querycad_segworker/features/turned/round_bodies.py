@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import Bottom, Vector
-from querycad_segworker.features.holes.hole import Hole
+from querycad_segworker.features.holes.hole import RIM, Hole
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
@@ -57,6 +57,8 @@ class TurnedBody:
     """Its widest step is a cone."""
     walled: bool
     """More than half of it is a tube."""
+    spoked: bool
+    """It is a wheel: most of it is open between a hub and its rim."""
     wall: float | None
     """Thickness of the material around the bore, at the longest hollow step."""
     widest_at: float
@@ -90,7 +92,7 @@ class TurnedBody:
         if wide and not reaches(self.length, 0.5 * diameter):
             low = self.steps == 1 and not reaches(self.length, WASHER_RATIO * diameter)
             tags.extend(("ring", "washer") if low else ("ring",))
-        elif through and (wide or self.walled):
+        elif through and (wide or self.walled) and not self.spoked:
             tags.append("tube")
         elif self.slender and self.steps > 1:
             tags.append("shaft")
@@ -148,6 +150,7 @@ def turned_body(
         steps=len(steps),
         tapered="conical" in widest.tags,
         walled=sum(b.height for b in steps if "tube" in b.tags) > MOSTLY * dist(low, high),
+        spoked=any(RIM in h.tags and axis.radius_of(h.center) < near for h in holes),
         wall=_wall(steps),
         widest_at=_widest_at(axis, widest, toothed),
         disc=widest.height if "flat" in widest.tags else None,
@@ -180,8 +183,12 @@ def _widest_at(axis: Axis, widest: Boss, toothed: Sequence[Gear]) -> float:
 
 
 def _bore(holes: Sequence[Hole], axis: Axis, near: float, length: float) -> Hole | None:
-    """The coaxial hole that makes the body hollow: right through it, or at least half as deep as it is long."""
-    along = (h for h in holes if not h.is_ring and parallel(h.normal, axis.direction, ALONG))
+    """The coaxial hole that makes the body hollow: right through it, or at least half as deep as it is long.
+
+    The inside of a rim is none: a wheel is bored where its hub is.
+    """
+    bores = (h for h in holes if not h.is_ring and RIM not in h.tags)
+    along = (h for h in bores if parallel(h.normal, axis.direction, ALONG))
     coaxial = [h for h in along if axis.radius_of(h.center) < near]
     deep = [h for h in coaxial if h.bottom is Bottom.THROUGH or reaches(h.depth, HOLLOW_SHARE * length)]
     return max(deep, key=lambda h: (h.bottom is Bottom.THROUGH, h.radius), default=None)
