@@ -5,7 +5,20 @@ from __future__ import annotations
 import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
-from tests.segworker.shapes import box, chamfered, cut, cylinder, edges, extruded, find, fuse, plate, scaled, turned
+from tests.segworker.shapes import (
+    box,
+    chamfered,
+    compound,
+    cut,
+    cylinder,
+    edges,
+    extruded,
+    find,
+    fuse,
+    plate,
+    scaled,
+    turned,
+)
 
 MM = 1e-3
 
@@ -213,3 +226,37 @@ def test_rings_on_the_lugs_of_a_fork_are_no_hub_across_its_gap() -> None:
     forked = cut(block, box((60, 30, 50), (-30, -15, 10)))
     hubs = [[part for part in find(shape).parts if "hub" in part.tags] for shape in (block, forked)]
     assert [len(each) for each in hubs] == [1, 0]
+
+
+def test_a_thick_web_between_deep_recesses_is_one_and_seal_grooves_leave_none() -> None:
+    pulley = cut(cylinder(45, 20), ring(29, 20, 5), ring(29, 20, 5, 15), cylinder(11, 20))
+    (web,) = [wall for wall in find(pulley).of("wall") if "web" in wall.tags]
+    assert web.thickness == pytest.approx(10 * MM)
+    sealed = cut(cylinder(45, 20), ring(29, 24, 3), ring(29, 24, 3, 17), cylinder(11, 20))
+    assert not [wall for wall in find(sealed).of("wall") if "web" in wall.tags]
+
+
+def handwheel(rise: float) -> TopoDS_Shape:
+    """Rim 200/160 x 18 about a hub of 46 that reaches `rise` higher, round spokes of 13; a boss meets one of them."""
+    bars = [turned(cylinder(6.5, 85, along=(1, 0, 0)), (0, 0, 1), i * 72.0) for i in range(5)]
+    wheel = fuse(ring(100, 80, 18, -9), *bars, cylinder(23, 26 + rise, (0, 0, -13)), cylinder(12, 18, (83, 0, -9)))
+    return cut(wheel, cylinder(7, 26 + rise, (0, 0, -13)), cylinder(4, 18, (90, 0, -9)))
+
+
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_round_spokes_count_about_the_axis_of_their_wheel_though_its_hub_is_higher_on_one_side(degrees: float) -> None:
+    found = find(turned(handwheel(14), (1, 2, 3), degrees))
+    assert len([boss for boss in found.of("boss") if "spoke" in boss.tags]) == 5
+    (body,) = found.of("body")
+    assert body.inner_diameter == pytest.approx(14 * MM)
+    assert not {"ring", "tube", "plate"} & set(body.tags)
+
+
+def test_pins_and_set_screws_of_a_collar_are_no_spokes() -> None:
+    ways = [(0.0, 0.0, 1.0, degrees) for degrees in (0, 120, 240)]
+    collar = ring(20, 10, 12, -6)
+    pins = [turned(cylinder(2, 15, (15, 0, 0), (1, 0, 0)), way[:3], way[3]) for way in ways]
+    holes = [turned(cylinder(2, 15, (8, 0, 0), (1, 0, 0)), way[:3], way[3]) for way in ways]
+    screws = [turned(cylinder(2, 9, (10, 0, 0), (1, 0, 0)), way[:3], way[3]) for way in ways]
+    for shape in (fuse(collar, *pins), compound(cut(collar, *holes), *screws)):
+        assert not [part for part in find(shape).parts if "spoke" in part.tags]

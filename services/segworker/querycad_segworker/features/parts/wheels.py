@@ -15,7 +15,7 @@ from querycad_segworker.features.shared.part_measures import (
     stance,
 )
 from querycad_segworker.features.turned.bosses import TUBE_RATIO, Boss
-from querycad_segworker.tolerances import exceeds
+from querycad_segworker.tolerances import exceeds, reaches
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import add, box_extents, dot, line_distance, mid, parallel, scale, sub
 
@@ -25,6 +25,10 @@ ON_AXIS = 0.02
 """Two axes are one that are nearer to each other than this share of the radius."""
 RUNS = 0.9
 """The bore of a hub runs through this share of its length at least: the rest is recessed around it."""
+
+WEB_RATIO = 2.0
+"""A web is thinner than its recesses are wide; up to this many times as thick where they take half of the disc at
+least, as in pulleys, whose groove keeps the web thick."""
 
 
 def wheel_parts(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> list[Part]:
@@ -92,7 +96,8 @@ def _webs(brep: Brep, rings: Sequence[Hole]) -> Iterator[Part]:
             if a.body != b.body or not near or dot(a.normal, b.normal) > 0 or thickness <= 0:
                 continue
             radius, core = min(a.radius, b.radius), max(a.core_radius or 0.0, b.core_radius or 0.0)
-            if thickness >= radius - core:
+            deep = reaches(a.depth + b.depth, thickness)
+            if thickness >= (WEB_RATIO if deep else 1.0) * (radius - core):
                 continue
             faces = tuple(sorted({*a.faces, *b.faces}))
             yield Part(
