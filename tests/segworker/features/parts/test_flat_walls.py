@@ -245,3 +245,21 @@ def test_what_hangs_below_the_middle_of_a_tray_is_one() -> None:
 def test_the_end_wall_of_a_narrow_pocket_may_be_thicker_than_the_pocket_is_wide() -> None:
     block = cut(box((60, 60, 40)), box((40, 5, 30), (10, 27.5, 10)))
     assert [round((wall.thickness or 0.0) / MM, 6) for wall in find(block).of("wall")].count(10) == 2
+
+
+def test_the_ears_of_a_split_collar_are_walls_however_thick_and_the_halves_of_a_split_block_are_none() -> None:
+    saw = box((100, 4, 36), (0, -2, 0))
+    collar = fuse(cylinder(60, 36), box((40, 44, 36), (50, -22, 0)))
+    ears = find(cut(collar, cylinder(30, 36), saw)).of("wall")
+    assert [wall.thickness for wall in ears] == pytest.approx(2 * [20 * MM])
+    assert [("ear" in wall.tags, "leg" in wall.tags) for wall in ears] == 2 * [(True, False)]
+    assert not find(cut(box((120, 120, 36), (-60, -60, 0)), cylinder(30, 36), saw)).of("wall")
+
+
+def test_holes_in_the_top_of_a_pad_make_no_wall_through_the_plate_below_it() -> None:
+    padded = fuse(box((200, 120, 25)), *(box((40, 70, 6), (x, 25, 25)) for x in (20, 140)))
+    bored = cut(padded, *(cylinder(5, 28, (x, y, 3)) for x in (40, 160) for y in (45, 75)))
+    for shape in (padded, bored):
+        assert not find(shape).of("wall")
+    hollow = cut(bored, box((180, 100, 23), (10, 10, 0)))
+    assert min(floor.thickness or 0.0 for floor in find(hollow).of("floor")) == pytest.approx(2 * MM)

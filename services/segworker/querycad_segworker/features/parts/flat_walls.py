@@ -112,8 +112,9 @@ def recognise_flat_walls(
     pockets = {face: depressions[n] for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
     aside = {face: FLATTER * pocket.depth for face, pocket in pockets.items()}
     below = {face: FLATTER * found.depth for found in floored for face in found.floor}
+    slits = {face for cut in depressions if "slit" in cut.tags for face in cut.faces}
     sides = (faces for pairs in alike.values() for faces in linked({i for pair in pairs for i in pair}, pairs))
-    found = [wall for faces in sides if (wall := _wall(brep, faces, slots, aside, below, beside)) is not None]
+    found = [wall for faces in sides if (wall := _wall(brep, faces, slots, aside, below, beside, slits)) is not None]
     found = [_gusset(brep, wall) or wall for wall in found]
     ends = {face for cut in floored if cut.kind is DepressionKind.CHANNEL for face in cut.floor}
     floors = _floors(floored, found)
@@ -128,10 +129,13 @@ def recognise_flat_walls(
         for wall in low
         if not {"between", "tine"}.isdisjoint(wall.tags)
         or wall.is_floor
+        or not slits.isdisjoint(wall.faces)
         or not pockets.keys().isdisjoint(wall.faces)
         or next(_joined(brep, wall, thin), None) is not None
     ]
-    return sorted(_legs(brep, _webs(brep, [*thin, *low])), key=lambda wall: (wall.faces, wall.thickness))
+    ears = [wall for wall in (*thin, *low) if not slits.isdisjoint(wall.faces)]
+    others = [wall for wall in (*thin, *low) if slits.isdisjoint(wall.faces)]
+    return sorted([*ears, *_legs(brep, _webs(brep, others))], key=lambda wall: (wall.faces, wall.thickness))
 
 
 def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
@@ -153,7 +157,9 @@ def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
 def _is_pad(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> bool:
     """Is its smaller side the top of a pad on a thinner, larger wall, with the same face behind both?"""
     small, large = _sides(brep, wall)
-    around = {i for face in small for i in brep.beside(face, EdgeConvexity.CONVEX)}
+    rim = _rims([brep.faces[face] for face in small])  # holes in its top are not around it
+    beside = (one for face in small for one in brep.neighbours(face))
+    around = {i for edge, i in beside if edge.id in rim and edge.convexity is EdgeConvexity.CONVEX}
     before = (other for other in others if not large.isdisjoint(other.faces))
     thinner = [_sides(brep, other) for other in before if exceeds(wall.thickness, other.thickness)]
     for ground, behind in chain.from_iterable(permutations(sides) for sides in thinner):
@@ -228,13 +234,15 @@ def _wall(
     aside: Mapping[int, float],
     below: Mapping[int, float],
     beside: Mapping[int, int],
+    slits: Collection[int],
 ) -> FlatWall | None:
     """The wall between the faces that look one way and those that look the other; None where it is too thick.
 
     `slots`, `aside`, `below`: how thick it may be beside the slot of a fork, beside a pocket, and below the floor of
     one, metres, by their faces. What parts two openings, of `beside`, may be as thick as it is long: a bar of a frame.
     What is thicker than it is long and wide is a block beside a pocket, no wall; and where it is thicker than its
-    smaller side is wide, that side is the pocket's: no wall lies behind the rim of a flange, nor under a rib.
+    smaller side is wide, that side is the pocket's: no wall lies behind the rim of a flange, nor under a rib. Beside a
+    slit, of `slits`, it is an ear of a clamp, however thick, as long as it is thinner than wide.
     """
     first = brep.faces[min(faces)]
     sides: dict[bool, list[FaceRecord]] = defaultdict(list)
@@ -261,7 +269,8 @@ def _wall(
     tine, aside_m, under = (max(deep.get(face, 0.0) for face in near) for deep in (slots, aside, below))
     under = under if filled else min(under, widest)
     most = max(min(tine, length), min(aside_m, length, widest), under, length if _parts(small, large, beside) else 0.0)
-    if thickness <= 0 or not (thin or low or thickness < most):
+    is_ear = not exceeds(thickness, FLATTER * clear) and not {face.id for face in (*small, *large)}.isdisjoint(slits)
+    if thickness <= 0 or not (thin or low or is_ear or thickness < most):
         return None
     return FlatWall(
         thickness=thickness,
@@ -272,7 +281,7 @@ def _wall(
         faces=tuple(sorted(face.id for face in (*small, *large))),
         body=first.body,
         is_thin=thin,
-        tags=("ear",) if any(_is_ear(brep, face) for face in (*small, *large)) else (),
+        tags=("ear",) if is_ear or any(_is_ear(brep, face) for face in (*small, *large)) else (),
     )
 
 

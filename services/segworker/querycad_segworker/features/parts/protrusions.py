@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from querycad_contracts import Part, PartKind
+from querycad_contracts import Part, PartKind, Vector
 from querycad_segworker.features.protrusions.arms import Arm
 from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.protrusions.protrusions import Protrusion
 from querycad_segworker.features.protrusions.ribs import Rib
+from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.part_measures import (
     PLATE_RATIO,
     UPRIGHT,
@@ -24,7 +25,7 @@ from querycad_segworker.features.turned.gears import Gear
 from querycad_segworker.features.turned.knurls import Knurl
 from querycad_segworker.tolerances import exceeds, reaches
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import add, box_center, box_extents, box_of, scale, sub
+from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, scale, sub
 
 from .volumes import Volumes
 
@@ -41,7 +42,7 @@ def protrusion_part(
     brep: Brep, found: Protrusion, number: int, volumes: Volumes, kind: PartKind = PartKind.PROTRUSION
 ) -> Part:
     """A protrusion of any outline but a circle, or what stands out without a family."""
-    extents = box_extents(faces_box(brep, found.faces))
+    extents = box_extents(_box_above_foot(brep, found))
     return Part(
         id=f"{kind}-{number}",
         kind=kind,
@@ -63,6 +64,15 @@ def protrusion_part(
         area=faces_area(brep, found.faces),
         evidence=geometry(f"{len(found.faces)} faces that rise from what they stand on, closed off by concave edges"),
     )
+
+
+def _box_above_foot(brep: Brep, found: Protrusion) -> tuple[Vector, Vector]:
+    """The box of its faces; of a hole in its top, that is deeper than it is high, no more than what lies in it."""
+    box, foot = faces_box(brep, found.faces), dot(found.base, found.normal)
+    points = face_points(brep, found.faces)
+    if all(dot(point, found.normal) >= foot for point in points):
+        return box
+    return box_of(add(p, scale(found.normal, max(0.0, foot - dot(p, found.normal)))) for p in points) or box
 
 
 def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part], volumes: Volumes) -> list[Part]:

@@ -125,7 +125,7 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
         above = frame_of(brep, group - fillets, normal, loop)
         low, size = (*above.low[:2], frame.low[2]), (*above.size[:2], frame.size[2])
         frame = LocalFrame(above.u, above.v, above.n, low, size)
-    frame = _up_to_its_top(brep, frame, group)
+    frame = _from_its_foot(brep, _up_to_its_top(brep, frame, group), loop)
     outline, _ = outline_of(brep, loop, tolerances)
     length, width, height = frame.size
     return Protrusion(
@@ -140,6 +140,14 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
         faces=tuple(sorted(group)),
         tags=tags_of(length, width, height),
     )
+
+
+def _from_its_foot(brep: Brep, frame: LocalFrame, loop: Loop) -> LocalFrame:
+    """The same frame, no lower than its foot: a hole in its top may be deeper than it is high."""
+    foot = min(dot(point, frame.n) for e in loop.edges for point in brep.edge_points[e])
+    deeper = max(0.0, foot - frame.low[2])
+    low, size = (*frame.low[:2], frame.low[2] + deeper), (*frame.size[:2], frame.size[2] - deeper)
+    return LocalFrame(frame.u, frame.v, frame.n, low, size)
 
 
 def _up_to_its_top(brep: Brep, frame: LocalFrame, group: Collection[int]) -> LocalFrame:

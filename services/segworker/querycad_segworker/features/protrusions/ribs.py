@@ -25,6 +25,12 @@ NEAR_FOOT = 0.02
 """What lies below the foot by less than this share of the rib's height still counts as its foot."""
 HALF_ROUND = math.radians(150.0)
 """The round top of an ear covers at least so much: half a circle, less what its sides lean towards each other."""
+LOW, LONG = 1 / 3, 5.0
+"""What is lower than thick is a rib as long as it is higher than this share of its thickness and so many times longer
+than thick: ribs of moulded parts, and ridges. Lower still are strips and pads."""
+OWN = 1.5
+"""The flanks of a low rib are its own: no larger than so many times its height by its length. The large faces of a
+plate that stands out a little at its edge are not."""
 FINS = 3
 """So many ribs alike, side by side, are fins."""
 
@@ -124,7 +130,9 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
     height, length = level - foot, high - low
     if thickness <= 0 or length <= 0:
         return None
-    if height < thickness or length < ratio * thickness:
+    small = all(flank.area < OWN * height * length for flank in flanks)
+    is_ridge = small and ratio >= RIB_RATIO and height > LOW * thickness and length > LONG * thickness
+    if (height < thickness and not is_ridge) or length < ratio * thickness:
         short = "high" if height < thickness else "long"
         refuse("rib", {top.id, *own}, f"it is too thick for what it is {short}")
         return None
