@@ -63,3 +63,19 @@ def test_a_taper_that_runs_into_its_bore_is_no_counterbore() -> None:
     found = find(cut(cylinder(15, 34), cone(6, 8, 22, (0, 0, 12)), cylinder(6, 40, (0, 0, -3))))
     assert found.of("counterbore") == []
     assert "counterbored" not in found.hole.tags
+
+
+@pytest.mark.parametrize(
+    ("radius", "depth", "kind"), [(26, 12, "counterbore"), (26, 4, "spotface"), (44, 12, "spotface")]
+)
+def test_a_spot_face_is_shallower_than_it_is_wide_around_the_bore(radius: float, depth: float, kind: str) -> None:
+    shape = cut(cylinder(60, 57), cylinder(20, 57), cylinder(radius, depth, (0, 0, 57 - depth)))
+    assert [part.kind for part in find(shape).parts if part.kind in ("counterbore", "spotface")] == [kind]
+
+
+def test_a_bore_that_tapers_into_a_narrower_one_has_no_counterbore_and_one_with_a_floor_has() -> None:
+    block, wide, narrow = cylinder(30, 71), cylinder(13, 30, (0, 0, 41)), cylinder(7, 71)
+    tapering = find(cut(block, wide, narrow, cone(7, 13, 15, (0, 0, 26))))
+    assert "counterbored" not in tapering.hole.tags
+    for floor in (1e-3, 6 / 1.6643):  # flat, or as a drill of 118 degrees leaves it
+        assert "counterbored" in find(cut(block, wide, narrow, cone(7, 13, floor, (0, 0, 41 - floor)))).hole.tags

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import box, cone, cut, cylinder, find, fuse
+from tests.segworker.shapes import box, cone, cut, cylinder, find, fuse, turned
 
 MM = 1e-3
 X = (1.0, 0.0, 0.0)
@@ -62,3 +62,10 @@ def test_a_slot_through_the_end_of_a_shaft_leaves_its_chamfer() -> None:
         slotted = cut(shaft, box((40, width, 10), (-20, -width / 2, 34)))
         chamfers = [part for part in find(slotted).of("chamfer") if "outer" in part.tags]
         assert [one.chamfer_size for one in chamfers] == pytest.approx([2 * MM] * count)
+
+
+@pytest.mark.parametrize(("wide", "discs"), [(4.0, 1), (8.5, 0)])
+def test_a_rim_with_many_grip_notches_is_a_disc_and_one_of_narrow_teeth_is_none(wide: float, discs: int) -> None:
+    notches = [turned(box((8, wide, 10), (31, -wide / 2, 0)), (0, 0, 1), 18.0 * i) for i in range(20)]
+    diameters = [round((boss.diameter or 0.0) / MM) for boss in find(cut(cylinder(33.5, 10), *notches)).of("boss")]
+    assert diameters.count(67) == discs

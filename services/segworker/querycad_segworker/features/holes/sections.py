@@ -74,14 +74,11 @@ def sections_of(
             stepped = above and all(w.radius > wall.radius - near for w in outside)
             deeper = [j for j in reversed(cylinders) if j < i] if from_far else [j for j in cylinders if j > i]
             below = inwards[deeper[0]] if deeper else wall
-            kind = SectionKind.BORE if not stepped or wall.radius <= narrow + near else SectionKind.COUNTERBORE
+            plain = not stepped or wall.radius <= narrow + near or _tapers_on(inside, wall)
+            kind = SectionKind.BORE if plain else SectionKind.COUNTERBORE
             if kind is SectionKind.COUNTERBORE and not reaches(wall.radius, COUNTERBORE_RATIO * below.radius):
                 kind = SectionKind.SEAT
-            elif (
-                kind is SectionKind.COUNTERBORE and _is_bowl(inside, wall) and abs(inside.radius - wall.radius) <= near
-            ):
-                kind = SectionKind.BORE  # the band at the rim of a bowl, which has no floor
-            elif kind is SectionKind.COUNTERBORE and _is_spotface(wall, inside, outside):
+            elif kind is SectionKind.COUNTERBORE and _is_spotface(wall, inside, below, outside):
                 kind = SectionKind.SPOTFACE
         elif wall.kind is SurfaceKind.CONE and cylinders and radius > end_radius > 0.05 * radius:
             wide = reaches(radius, CHAMFER_RATIO * end_radius)
@@ -133,10 +130,19 @@ def _is_groove(between: Sequence[Wall], beside: Wall, axis: Axis) -> bool:
     return wider and not reaches(max(ends) - min(ends), beside.radius)
 
 
-def _is_spotface(wall: Wall, inside: Wall, outside: Sequence[Wall]) -> bool:
-    """The shallow wide first step that only faces the surface around the bore."""
+def _tapers_on(inside: Wall, wall: Wall) -> bool:
+    """Is the next wall inwards a tapered bore or a bowl that goes on from the end of this one, and no floor of a step?"""
+    narrow = min(inside.radius_low, inside.radius_high)
+    gentle = inside.radius - narrow < TAPER * inside.height and inside.height > narrow
+    on = inside.kind is SurfaceKind.CONE and abs(inside.radius - wall.radius) < 0.01 * wall.radius
+    return on and (gentle or _is_bowl(inside, wall))
+
+
+def _is_spotface(wall: Wall, inside: Wall, bore: Wall, outside: Sequence[Wall]) -> bool:
+    """The shallow wide first step that only faces the surface around the bore, no deeper than it is wide there."""
     first = all(w.kind is not SurfaceKind.CYLINDER for w in outside)
-    return first and inside.radius < wall.radius and not reaches(wall.height, SPOTFACE_RATIO * 2 * wall.radius)
+    most = min(SPOTFACE_RATIO * 2 * wall.radius, wall.radius - bore.radius)
+    return first and inside.radius < wall.radius and not reaches(wall.height, most)
 
 
 def _is_bowl(wall: Wall, over: Wall) -> bool:

@@ -16,7 +16,9 @@ from querycad_segworker.vectors import ORIGIN, binned, dot, parallel
 from .axes import Axis, Wall, by_line
 
 MAX_PIECES = 12
-"""More pieces than this are the tips of teeth."""
+"""More pieces than this are the tips of teeth, unless they cover most of the circle."""
+MOST = math.radians(216.0)
+"""Tips of teeth cover less than three fifths of the circle; grip notches leave more."""
 NOTCHED = math.radians(90.0)
 """Pieces that cover a quarter of the circle together are a round part with notches; less are separate arms or teeth."""
 WIDEST_NOTCH = math.radians(160.0)
@@ -53,9 +55,9 @@ def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) 
             indices, lambda i: walls[i].axis, ORIGIN, 10 * tolerances.length, lambda i, j: beside(walls[i], walls[j])
         ):
             pieces = [walls[i] for i in group]
-            if not 1 < len(pieces) <= MAX_PIECES:
-                continue
             covered = sum(piece.sweep for piece in pieces)
+            if len(pieces) < 2 or (len(pieces) > MAX_PIECES and covered < MOST):
+                continue
             if any(piece.encloses for piece in pieces):
                 if covered <= FULL_RAD:
                     merged[min(group)] = _one(pieces, covered)
