@@ -159,3 +159,21 @@ def test_what_lies_beyond_the_slope_of_a_gusset_is_no_ledge() -> None:
     drafted = prism([(0, 20, 8), (0, 40, 8), (0, 39, 20), (0, 21, 20)], (60.0, 0.0, 0.0))
     (ridge,) = find(fuse(box((60, 60, 8)), drafted)).of("protrusion")
     assert ridge.height == pytest.approx(12 * MM)
+
+
+def test_what_a_slot_narrower_than_itself_leaves_is_no_ledge_and_what_a_wider_channel_leaves_is_one() -> None:
+    block = box((60, 80, 50))
+    vee = prism([(20, 0, 50), (40, 0, 50), (30, 0, 40)], (0, 80, 0))
+    relieved = cut(block, vee, box((4, 80, 20), (28, 0, 25)))
+    across = cut(block, box((60, 10, 8), (0, 35, 42)))
+    tee = cut(block, box((10, 80, 20), (25, 0, 30)), box((20, 80, 8), (20, 0, 30)))
+    for shape in (relieved, across, tee):
+        assert ledges(shape) == []
+    assert ledges(cut(box((60, 80, 30)), box((36, 80, 10), (12, 0, 20)))) == [(80, 12, 10)] * 2
+
+
+def test_the_lower_wall_of_a_window_is_no_top_of_a_pad() -> None:
+    window = box((10, 40, 6), (15, -5, 36))
+    wedge = prism([(0, 0, 32), (44, 0, 32), (44, 0, 50), (0, 0, 60)], (0, 25, 0))
+    assert pads(cut(fuse(BAR, wedge), window)) == []
+    assert pads(cut(fuse(BAR, box((44, 25, 28), (0, 0, 32))), window)) == [(44, 25, 28)]

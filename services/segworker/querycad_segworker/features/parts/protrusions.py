@@ -32,6 +32,9 @@ from .volumes import Volumes
 HEADS = ("hexagonal", "octagonal")
 """Outlines of heads and nuts, whose height is along their own axis."""
 _MADE_OF_PIECES = (PartKind.WALL, PartKind.GEAR, PartKind.TOOTH, PartKind.PIPE)
+_LEAVING = (PartKind.SLOT, PartKind.POCKET, PartKind.NOTCH)
+UNDERCUT = frozenset(("t_slot", "dovetail"))
+"""Slots that are wider below their mouth."""
 TAKEN = 0.5
 """A ledge with more than this share of its surface, or with its largest face, in a part is that part."""
 BAR_RATIO = 3.0
@@ -78,15 +81,16 @@ def _box_above_foot(brep: Brep, found: Protrusion) -> tuple[Vector, Vector]:
 def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part], volumes: Volumes) -> list[Part]:
     """Ledges as elevations, numbered after those among `parts`; none that is a wall, rib or other part already.
 
-    What has no face but those of one cut is what the cut leaves: the shaft beyond a keyway, the lip of a T slot. A
-    ledge is as thick as the lesser side of its foot.
+    What has no face but those of one cut is what the cut leaves: the shaft beyond a keyway, the lip of a T slot. So is
+    what rises only from the walls of slots narrower than itself, or undercut ones. A ledge is as thick as the lesser
+    side of its foot.
     """
     standing = [part for part in parts if part.kind.stands_out or part.kind in _MADE_OF_PIECES]
     number = sum(part.kind is PartKind.ELEVATION for part in parts)
     cuts = [frozenset(part.faces) for part in parts if part.kind.cuts_in]
     found: list[Part] = []
     for ledge in ledges:
-        if any(cut.issuperset(ledge.faces) for cut in cuts):
+        if any(cut.issuperset(ledge.faces) for cut in cuts) or _is_left_by_slots(ledge, parts):
             continue
         whole, largest = faces_area(brep, ledge.faces), max(ledge.faces, key=lambda face: brep.faces[face].area)
         shared = [(part, set(ledge.faces).intersection(part.faces)) for part in standing]
@@ -96,6 +100,18 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
         part = protrusion_part(brep, ledge, number + len(found) + 1, volumes, PartKind.ELEVATION)
         found.append(part.model_copy(update={"tags": (*part.tags, "ledge"), "thickness": ledge.width}))
     return found
+
+
+def _is_left_by_slots(ledge: Protrusion, parts: Sequence[Part]) -> bool:
+    """Does it rise only from walls of slots, pockets or notches that are narrower than itself, or undercut?"""
+    cuts = [part for part in parts if part.kind in _LEAVING]
+    left = {
+        face
+        for cut in cuts
+        if not exceeds(cut.width or 0.0, ledge.width) or not UNDERCUT.isdisjoint(cut.tags)
+        for face in cut.faces
+    }
+    return bool(ledge.feet) and left.issuperset(ledge.feet)
 
 
 def _is_most(brep: Brep, faces: Collection[int], part: Part) -> bool:

@@ -19,7 +19,7 @@ from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import add, box_extents, box_of, dot, scale, sub, unit
 
-from .protrusions import Protrusion, tags_of
+from .protrusions import AS_LARGE, Protrusion, tags_of
 
 SQUARE = 1e-2
 """Sine of the angle by which the foot edges of one piece may run apart, and its sides deviate from upright."""
@@ -84,7 +84,7 @@ def recognise_pads(
     pads: list[_Piece] = []
     ledges: list[_Piece] = []
     for piece in pieces:
-        if piece.sides > 1 and _tops(brep, piece) and _is_smaller(brep, piece):
+        if piece.sides > 1 and _rises_to_a_top(brep, piece) and _is_smaller(brep, piece):
             pads.append(piece)
         elif not _is_the_body(brep, piece) and not _outdone(piece, pieces):
             ledges.append(piece)
@@ -252,6 +252,12 @@ def _above(side: _Beyond, edges: Collection[int]) -> Iterator[Vector]:
                 yield b if at_b >= 0 else crossing
 
 
+def _rises_to_a_top(brep: Brep, piece: _Piece) -> bool:
+    """Does a level plane lie at its full height? The lower wall of a window in it is none."""
+    foot = dot(piece.frame.point(0.0, 0.0, 0.0), piece.normal)
+    return any(dot(top.point, piece.normal) - foot > AS_LARGE * piece.frame.size[2] for top in _tops(brep, piece))
+
+
 def _is_smaller(brep: Brep, piece: _Piece) -> bool:
     """Is its top smaller than what is left beside it?"""
     top = max(face.area for face in _tops(brep, piece))
@@ -288,6 +294,7 @@ def _protrusion(brep: Brep, piece: _Piece, tolerances: Tolerances) -> Protrusion
         width=width,
         height=height,
         faces=tuple(sorted(own)),
+        feet=tuple(sorted({wall.id for _, wall in piece.feet})),
         tags=tags_of(length, width, height),
     )
 

@@ -36,6 +36,8 @@ class Protrusion:
     height: float
     faces: tuple[int, ...]
     tags: tuple[str, ...]
+    feet: tuple[int, ...] = ()
+    """Of a pad or ledge, the walls in which it rises, also such as run on below."""
 
 
 def recognise_protrusions(brep: Brep, round_faces: Collection[int], tolerances: Tolerances) -> list[Protrusion]:
