@@ -131,7 +131,7 @@ def _is_groove(between: Sequence[Wall], beside: Wall, axis: Axis) -> bool:
 
 
 def _tapers_on(inside: Wall, wall: Wall) -> bool:
-    """Is the next wall inwards a tapered bore or a bowl that goes on from the end of this one, and no floor of a step?"""
+    """Is the next wall inwards a tapered bore or a bowl that goes on from this one, and no floor of a step?"""
     narrow = min(inside.radius_low, inside.radius_high)
     gentle = inside.radius - narrow < TAPER * inside.height and inside.height > narrow
     on = inside.kind is SurfaceKind.CONE and abs(inside.radius - wall.radius) < 0.01 * wall.radius
