@@ -48,8 +48,8 @@ def stored(shape: TopoDS_Shape) -> list[TopoDS_Shape]:
 
 
 def bored(depth: float) -> TopoDS_Shape:
-    """A bore of 9 mm with a step of 16 mm across and this depth."""
-    return cut(plate(60, 60, 20), cylinder(4.5, 20, (0, 0, 0), DOWN), cylinder(8, depth, (0, 0, 0), DOWN))
+    """A bore of 7 mm with a step of 16 mm across and this depth."""
+    return cut(plate(60, 60, 20), cylinder(3.5, 20, (0, 0, 0), DOWN), cylinder(8, depth, (0, 0, 0), DOWN))
 
 
 @pytest.mark.parametrize(("depth", "kind"), [(4.0, "counterbored"), (3.9, "spotfaced")])

@@ -28,6 +28,8 @@ HALF_ROUND = math.radians(150.0)
 LOW, LONG = 1 / 3, 5.0
 """What is lower than thick is a rib as long as it is higher than this share of its thickness and so many times longer
 than thick: ribs of moulded parts, and ridges. Lower still are strips and pads."""
+FOOTED = 0.5
+"""A low rib stands on more than this share of its length: a pin beside a notch stands on its end."""
 OWN = 1.5
 """The flanks of a low rib are its own: no larger than so many times its height by its length. The large faces of a
 plate that stands out a little at its edge are not."""
@@ -131,7 +133,8 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
     if thickness <= 0 or length <= 0:
         return None
     small = all(flank.area < OWN * height * length for flank in flanks)
-    is_ridge = small and ratio >= RIB_RATIO and height > LOW * thickness and length > LONG * thickness
+    stands = all(sum(run for run, _ in _feet(brep, f, top)) > FOOTED * length for f in flanks if f.id in own)
+    is_ridge = small and stands and ratio >= RIB_RATIO and height > LOW * thickness and length > LONG * thickness
     if (height < thickness and not is_ridge) or length < ratio * thickness:
         short = "high" if height < thickness else "long"
         refuse("rib", {top.id, *own}, f"it is too thick for what it is {short}")
