@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from tests.segworker.shapes import box, cut, find, prism
+from OCP.TopoDS import TopoDS_Shape
+from tests.segworker.shapes import box, cut, find, fuse, prism, shifted
 
 BLOCK = box((60, 30, 20), (0, 0, 0))
 
@@ -25,3 +26,23 @@ def test_a_vee_beside_narrow_lands_and_chamfers_is_no_step() -> None:
     (vee,) = found.of("slot")
     assert "v_shaped" in vee.tags
     assert [vee.depth, vee.width] == pytest.approx([7e-3, 14e-3])
+
+
+def gusseted(gap: float, legs: float = 40.0) -> TopoDS_Shape:
+    """An angle of two plates 120 x 80 x 10 with two gussets of 8 in its corner, this far apart."""
+    outline = [(0.0, 0.0, 0.0), (0.0, legs, 0.0), (0.0, 0.0, legs)]
+    gusset = prism(outline, (8, 0, 0))
+    left, right = (shifted(gusset, (at, 10, 10)) for at in (60 - gap / 2 - 8, 60 + gap / 2))
+    return fuse(box((120, 80, 10)), box((120, 10, 80)), left, right)
+
+
+def test_the_room_between_two_gussets_is_a_slot_as_long_and_high_as_they_are() -> None:
+    (slot,) = find(gusseted(30)).of("slot")
+    assert [slot.width, slot.length, slot.depth] == pytest.approx([0.03, 0.04, 0.04])
+
+
+def test_gussets_farther_apart_than_long_leave_no_slot_and_a_channel_keeps_its_length() -> None:
+    assert not [part for kind in ("slot", "channel", "notch") for part in find(gusseted(50)).of(kind)]
+    uneven = cut(box((100, 60, 40)), box((100, 40, 30), (0, 10, 10)), box((50, 10, 40), (50, 50, 20)))
+    (channel,) = find(uneven).of("channel")
+    assert channel.length == pytest.approx(0.1)

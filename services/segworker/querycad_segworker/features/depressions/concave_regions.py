@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence, Set
 from dataclasses import replace
 
-from querycad_contracts import SurfaceKind
+from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
 from querycad_segworker.features.shared.extruded_walls import (
     MORE_THAN_HALF,
@@ -14,7 +14,7 @@ from querycad_segworker.features.shared.extruded_walls import (
     first_of_surface,
     tunnel_of,
 )
-from querycad_segworker.features.shared.frames import face_points, frame_of, outline_of
+from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
@@ -308,7 +308,10 @@ def _meet(brep: Brep, a: FaceRecord, b: FaceRecord) -> bool:
 def slot_between(
     graph: ConcaveGraph, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord], pair: Pair
 ) -> Depression | None:
-    """A slot, channel or notch: a floor between two walls that face each other."""
+    """A slot, channel or notch: a floor between two walls that face each other.
+
+    Where those stand in the group, as two ribs or gussets do, it is as long and high as both go side by side.
+    """
     brep = graph.brep
     along = unit(cross(pair[0].axis, floor.axis))
     frame = frame_of(brep, group, floor.axis, None, along)
@@ -321,6 +324,14 @@ def slot_between(
         group = group | undercuts.neck
         frame = frame_of(brep, group, floor.axis, None, along)
         at_mouth = brep.of_kind(SurfaceKind.PLANE, undercuts.neck) or pair
+    elif behind := {wall.id for wall in walls for side in pair if _are_back_to_back(wall, side)}:
+        between = _between(brep, floor, pair, along)
+        if reaches(width, min(between.size[0], between.size[2])):
+            refuse("slot", group, "the room between two walls that are farther apart than they are long or high")
+            return None
+        frame, length = between, between.size[0]
+        group = {floor.id, *(side.id for side in pair)}
+        walls = [wall for wall in walls if wall.id not in behind]
     depth = max(frame.size[2], _rise(brep, floor, at_mouth))
     round_ends = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER]
     plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
@@ -346,6 +357,16 @@ def slot_between(
     if not reaches(length, width) and undercuts is None:
         return replace(found, kind=DepressionKind.NOTCH)
     return found
+
+
+def _between(brep: Brep, floor: FaceRecord, pair: Pair, along: Vector) -> LocalFrame:
+    """The box between two walls, as far as both go along a floor and up from it."""
+    a, b = (frame_of(brep, {wall.id}, floor.axis, None, along) for wall in pair)
+    both = frame_of(brep, {wall.id for wall in pair}, floor.axis, None, along)
+    ends = [(x + dx, y + dy) for x, dx, y, dy in zip(a.low, a.size, b.low, b.size, strict=True)]
+    low = max(a.low[0], b.low[0]), both.low[1], max(a.low[2], b.low[2])
+    size = max(min(ends[0]) - low[0], 0.0), both.size[1], max(min(ends[2]) - low[2], 0.0)
+    return replace(both, low=low, size=size)
 
 
 def _through_slot(
