@@ -183,3 +183,16 @@ def test_the_local_size_of_what_is_cut_in_has_the_longer_side_first(
     found = find(turned(cut(plate(), box((10, 24, depth), (-5, -12, -depth))), axis, degrees))
     (part,) = found.of("pocket" if depth < 20 else "cutout")
     assert part.local_size == pytest.approx((24e-3, 10e-3, depth * 1e-3))
+
+
+@pytest.mark.parametrize("degrees", [0, 90])
+def test_two_flats_across_the_end_of_a_shaft_are_steps_of_one_depth(degrees: float) -> None:
+    flats = [box((40, 40, 20), (-20, y, 40)) for y in (10, -50)]
+    steps = find(turned(cut(cylinder(15, 60), *flats), (1, 0, 0), degrees)).of("step")
+    assert [step.depth for step in steps] == near(5, 5)
+    assert [step.width for step in steps] == near(20, 20)
+
+
+def test_a_lowered_part_of_a_disc_is_as_deep_as_it_is_low() -> None:
+    (step,) = find(cut(cylinder(30, 10), box((60, 80, 10), (10, -40, 8)))).of("step")
+    assert [step.depth] == near(2)

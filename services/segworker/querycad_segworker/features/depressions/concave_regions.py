@@ -17,7 +17,7 @@ from querycad_segworker.features.shared.extruded_walls import (
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
-from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, parallel, span, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
@@ -170,7 +170,8 @@ def _floor(
     """The plane that the most others stand on; of several, one that walls surround.
 
     The end of a slot bears as many walls as its floor: the larger one is the floor. In a corner of two or three
-    faces that are all alike, the one between two walls that face each other, or facing top, then front, then right.
+    faces that are all alike, the one between two walls that face each other, the flat of a shaft where it is the
+    larger one, or facing top, then front, then right.
     """
     most = max(len(links[face.id]) for face in planes)
     largest = max(face.area for face in planes)
@@ -184,11 +185,24 @@ def _floor(
             len(walls),
             pair is not None,
             size,
+            face.area >= largest and _is_flat(graph.brep, face),
             dot(face.axis, (0.1, -0.2, 1.0)),
             face.area,
         )
 
     return max(planes, key=rank)
+
+
+def _is_flat(brep: Brep, face: FaceRecord) -> bool:
+    """Does it end in sharp edges along an outer cylinder, as a flat on a shaft does?"""
+    return any(
+        edge.kind is EdgeKind.LINE
+        and edge.convexity is EdgeConvexity.CONVEX
+        and brep.faces[other].kind is SurfaceKind.CYLINDER
+        and brep.faces[other].outward > 0
+        and parallel(edge.direction, brep.faces[other].axis, SQUARE)
+        for edge, other in brep.neighbours(face.id)
+    )
 
 
 def _is_surrounded(brep: Brep, face: FaceRecord, group: set[int]) -> bool:
