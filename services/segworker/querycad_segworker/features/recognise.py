@@ -158,7 +158,12 @@ class _Round:
     @property
     def taken(self) -> set[int]:
         """The faces of holes, bosses and pipes."""
-        return {face for own in (self.holes, self.bosses, self.pipes) for record in own for face in record.faces}
+        return {face for own in (self.holes, self.standing, self.pipes) for record in own for face in record.faces}
+
+    @property
+    def standing(self) -> list[Boss]:
+        """Its bosses, without the broken corners of nuts and heads."""
+        return [boss for boss in self.bosses if not boss.is_broken_edge]
 
 
 def _parts(
@@ -166,7 +171,7 @@ def _parts(
 ) -> list[Part]:
     """All parts, made of faces of `brep`."""
     round_ = _round(brep, tolerances, is_clear)
-    holes, pipes, bosses, gears = round_.holes, round_.pipes, round_.bosses, round_.gears
+    holes, pipes, bosses, gears = round_.holes, round_.pipes, round_.standing, round_.gears
     cylinders = [wall for wall in round_.walls if wall.kind is SurfaceKind.CYLINDER]
     hole_parts = _numbered(brep, holes, hole_part)
     dimples = recognise_dimples(brep, {face for hole in holes for face in hole.faces})
@@ -215,7 +220,7 @@ def _parts(
     parts += region_parts(brep, parts, volumes, tolerances)
     parts += ledge_parts(brep, standing_out.ledges, parts, volumes)
     bearings = recognise_bearings(brep, tolerances)
-    turned = _turned(brep, bosses, holes, gears)
+    turned = _turned(brep, round_.bosses, holes, gears)
     bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
     walled = sides_of_boxes(flat_walls) | besides_fins(thickness.bodies, flat_walls)
     bodies = with_body_thickness(bodies, brep, prisms, turned, walled, thickness.least)

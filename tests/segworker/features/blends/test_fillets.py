@@ -9,6 +9,7 @@ from OCP.BRepFilletAPI import BRepFilletAPI_MakeFillet
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
 from tests.segworker.shapes import (
     box,
+    cone,
     cut,
     cylinder,
     edges,
@@ -148,3 +149,28 @@ def test_a_face_beside_an_end_of_two_slopes_is_no_chamfer() -> None:
 def test_a_v_groove_makes_no_chamfer_of_the_face_that_it_is_cut_into() -> None:
     groove = prism([(-5, 0, 0), (5, 0, 0), (0, 0, -5)], (0, 30, 0))
     assert not find(cut(box((80, 60, 20), (-40, 0, -20)), groove)).of("chamfer")
+
+
+def hexagon_nut(corners: float) -> TopoDS_Shape:
+    """30 across flats, 18 high, turned down to a radius of `corners`; cones from a radius of 15 break both ends."""
+    outline = [(math.cos(i * math.pi / 3) * 17.3205, math.sin(i * math.pi / 3) * 17.3205) for i in range(6)]
+    rings = [cut(cylinder(25, 3, (0, 0, -1)), cone(13.268, 18.464, 3, (0, 0, -1)))]
+    rings += [cut(cylinder(25, 3, (0, 0, 16)), cone(18.464, 13.268, 3, (0, 0, 16)))]
+    around = cut(cylinder(25, 18), cylinder(corners, 18))
+    return cut(extruded(outline, 0, 18), *rings, around, cylinder(10, 18))
+
+
+@pytest.mark.parametrize("corners", [20.0, 17.2])
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_the_corners_of_a_nut_are_chamfered_at_both_ends_and_no_bosses(corners: float, degrees: float) -> None:
+    found = find(turned(hexagon_nut(corners), (1, 2, 3), degrees))
+    assert len(found.of("chamfer")) == 2
+    assert [part.angle for part in found.of("chamfer")] == pytest.approx([math.radians(30)] * 2, rel=1e-4)
+    assert not found.of("boss")
+
+
+def test_a_cone_on_the_end_of_a_hexagon_is_a_boss_and_no_chamfer() -> None:
+    outline = [(math.cos(i * math.pi / 3) * 17.3205, math.sin(i * math.pi / 3) * 17.3205) for i in range(6)]
+    found = find(fuse(extruded(outline, 0, 18), cone(15, 12, 6, (0, 0, 18))))
+    assert not found.of("chamfer")
+    assert ["conical" in boss.tags for boss in found.of("boss")] == [True]

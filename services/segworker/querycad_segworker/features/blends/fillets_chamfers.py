@@ -12,6 +12,7 @@ from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.regular import end_of_corner_chamfer
 from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.tolerances import Tolerances, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, spread
@@ -69,24 +70,29 @@ class Blend:
 def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances) -> list[Blend]:
     """Which fillets, rounds and chamfers does the model have? Neighbouring ones of one size are one; lowest id first.
 
+    So are the pieces of a cone that breaks the corners of a prism at one end.
+
     `taken`: faces of holes and bosses, whose own chamfers belong to them; rounded rims and feet are parts as well.
     """
     kinds: dict[int, tuple[str, float]] = {}
     balls: dict[int, RolledFace] = {}
     strips: dict[int, _Strip] = {}
+    corners: dict[int, int] = {}
     for face in brep.faces:
         if face.id in taken and not _is_rim(brep, face):
             continue
         if is_blend(brep, face):
             radius = face.minor_radius if face.kind is SurfaceKind.TORUS else face.radius
             kinds[face.id] = ("fillet" if face.outward < 0 else "round", radius)
+        elif (end := end_of_corner_chamfer(brep, face)) is not None:
+            corners[face.id] = end
         elif (rolled := rolled_face(brep, face)) is not None:
             kinds[face.id] = (rolled.kind, sum(rolled.radii) / 2)
             balls[face.id] = rolled
         elif (strip := _chamfer(brep, face)) is not None:
             strips[face.id] = strip
     kinds |= {face: ("chamfer", strip.width) for face, strip in _breaking_edges(strips).items()}
-    found, seen = [], set[int]()
+    found, seen = _corner_chamfers(brep, corners), set[int]()
     for start in sorted(kinds):
         if start in seen:
             continue
@@ -96,6 +102,18 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
         radii = [r for i in chain if i in balls and balls[i].is_variable for r in balls[i].radii]
         blend = _blend(brep, kind, size, chain)
         found.append(replace(blend, radii=(min(radii), max(radii))) if radii else blend)
+    return sorted(found, key=lambda blend: blend.faces)
+
+
+def _corner_chamfers(brep: Brep, ends: Mapping[int, int]) -> list[Blend]:
+    """The cones that break the corners of prisms, all pieces at one end face together. `ends`: that of each piece."""
+    found = []
+    for end in sorted(set(ends.values())):
+        pieces = {piece for piece, own in ends.items() if own == end}
+        cone = brep.faces[min(pieces)]
+        low, high = span(face_points(brep, pieces), cone.axis)
+        blend = _blend(brep, "chamfer", (high - low) / math.cos(cone.half_angle), pieces)
+        found.append(replace(blend, angle=math.pi / 2 - cone.half_angle))
     return found
 
 
@@ -147,7 +165,7 @@ def _angle(brep: Brep, face: int) -> float:
     """The turn from a chamfer into the largest face beside it."""
     low, high = CHAMFER_ANGLES_RAD
     sides = [(brep.faces[other].area, edge.angle) for edge, other in brep.neighbours(face) if low <= edge.angle <= high]
-    return max(sides)[1]
+    return max(sides, default=(0.0, 0.0))[1]
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,6 +23,33 @@ CUT_IN = 0.995
 """Planes farther out than this share of the radius are tangent to a shaft and no flats on it."""
 UPRIGHT = 0.02
 """Sine of the angle by which a side may lean."""
+CORNER_CHAMFER_RAD = (math.radians(10.0), math.radians(45.5))
+"""To the end face: corners of nuts and heads are chamfered by 15 to 30 degrees (ISO 4032, ISO 4014), by hand by 45."""
+
+
+def end_of_corner_chamfer(brep: Brep, face: FaceRecord) -> int | None:
+    """On which end face of a prism does this cone break the corners? None where it is no such cone.
+
+    It lies between an end face, square to its axis, and sides along the axis that are all as far from it.
+    """
+    low, high = CORNER_CHAMFER_RAD
+    if face.kind is not SurfaceKind.CONE or face.outward < 0 or not low <= math.pi / 2 - face.half_angle <= high:
+        return None
+    ends, offsets = set[int](), list[float]()
+    for edge, other in brep.neighbours(face.id):
+        beside = brep.faces[other]
+        if edge.convexity in (EdgeConvexity.SEAM, EdgeConvexity.SMOOTH):
+            continue
+        if edge.convexity is not EdgeConvexity.CONVEX:
+            return None
+        if beside.kind is SurfaceKind.PLANE and parallel(beside.axis, face.axis, UPRIGHT):
+            ends.add(other)
+        elif beside.kind is SurfaceKind.PLANE and abs(dot(beside.axis, face.axis)) < UPRIGHT:
+            offsets.append(dot(sub(beside.point, face.origin), beside.axis))
+        elif not (beside.kind is SurfaceKind.CYLINDER and parallel(beside.axis, face.axis, UPRIGHT)):
+            return None
+    even = len(offsets) > 1 and max(offsets) - min(offsets) < EVEN * max(offsets)
+    return ends.pop() if even and len(ends) == 1 else None
 
 
 def across_flats_and_corners(brep: Brep, faces: Iterable[int], axis: Vector) -> tuple[float, float] | None:

@@ -17,6 +17,7 @@ from querycad_segworker.features.shared.coaxial_stacks import (
     wall_range,
 )
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.regular import end_of_corner_chamfer
 from querycad_segworker.features.shared.shaft_steps import ALIKE, FLAT, goes_on, is_clasped, is_collar
 from querycad_segworker.features.shared.walls import Axis, Wall, is_waist
 from querycad_segworker.tolerances import Tolerances, exceeds, reaches
@@ -82,6 +83,8 @@ class Boss:
     """Between a cone's wall and its axis, radians."""
     tips: tuple[Vector, ...] = ()
     """All free ends of its axis, where they are more than `tip`."""
+    is_broken_edge: bool = False
+    """It is a cone that breaks the corners of a nut, head or other prism: as a part, that is a chamfer and no boss."""
 
 
 _CYLINDRICAL = (SectionKind.BORE, SectionKind.SEAT, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
@@ -91,7 +94,8 @@ def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], t
     """Which round protrusions does the model have? One record a step, sorted by lowest face id.
 
     A step is a convex cylinder or cone that encloses its axis, or one with a hole that grows out of walls beside it;
-    roundings and chamfers at its ends belong to it, and the two sides of a groove turned into it are one step.
+    roundings and chamfers at its ends belong to it, and the two sides of a groove turned into it are one step. A cone
+    that breaks the corners of a prism is marked as such: it tells how wide a turned body is, and is no boss as a part.
     """
     found: list[Boss] = []
     grown = {wall.faces for wall in walls if _grows_out(brep, wall, holes, tolerances)}
@@ -281,6 +285,7 @@ def _boss(
         step_of=len(steps),
         lean=_lean(wall),
         pitch=next((part.pitch for part in step if part.pitch is not None), None),
+        is_broken_edge=end_of_corner_chamfer(brep, brep.faces[wall.faces[0]]) is not None,
     )
 
 
