@@ -81,3 +81,13 @@ def test_ribs_around_a_post_and_pads_are_no_arms() -> None:
     block = fuse(box((60, 40, 10)), box((20, 8, 10), (20, 16, 10)))
     assert not [part for part in find(block).parts if "arm" in part.tags]
     assert edges(block)
+
+
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_an_arm_may_run_tangentially_into_a_hub_that_stands_out_beyond_it_and_a_link_has_none(degrees: float) -> None:
+    for high, arms in ((22, 1), (8, 0)):
+        lever = fuse(cylinder(18, high), box((80, 36, 8), (0, -18, 0)), cylinder(18, 8, (80, 0, 0)))
+        lever = cut(lever, cylinder(8, high), cylinder(5, 8, (80, 0, 0)))
+        found = [part for part in find(turned(lever, (1, 2, 3), degrees)).of("prism") if "arm" in part.tags]
+        assert [part.thickness for part in found] == pytest.approx([8e-3] * arms)
+        assert [part.width for part in found] == pytest.approx([36e-3] * arms)

@@ -59,8 +59,8 @@ def recognise_arms(brep: Brep, ribs: Collection[frozenset[int]], tolerances: Tol
     """Which arms does the model have? Sorted by lowest face id. `ribs`: flanks of ribs, which are no arms.
 
     An arm has two plane sides that look away from each other and both end at one outer cylinder, in concave edges or
-    over fillets along its axis. It is longer than wide. Of two hubs it points away from the one that more arms stand
-    on, or the wider one.
+    over fillets along its axis, or run tangentially into a bored hub that stands out beyond them. It is longer than
+    wide. Of two hubs it points away from the one that more arms stand on, or the wider one.
     """
     found: dict[frozenset[int], Arm] = {}
     for hub in sorted(_hubs(brep, tolerances), key=lambda hub: (-len(hub.sides), -hub.radius)):
@@ -97,11 +97,15 @@ def _hubs(brep: Brep, tolerances: Tolerances) -> list[_Hub]:
 
 
 def _roots(brep: Brep, side: FaceRecord) -> Iterator[int]:
-    """The outer cylinders along whose axis a plane face ends, in a concave edge or over a fillet."""
+    """The outer cylinders along whose axis a plane face ends, in a concave edge, over a fillet, or tangentially.
+
+    What it runs into tangentially is a hub that stands out beyond it, around a bore; the round end of a link or ear
+    is as thick as its sides.
+    """
     for edge, other in brep.neighbours(side.id):
         if edge.kind is not EdgeKind.LINE or brep.faces[other].kind is not SurfaceKind.CYLINDER:
             continue
-        if edge.convexity is EdgeConvexity.CONCAVE:
+        if edge.convexity is EdgeConvexity.CONCAVE or _is_proud_hub(brep, brep.faces[other], edge):
             beyond = [other]
         elif edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].outward < 0:
             beyond = brep.beside(other, EdgeConvexity.SMOOTH)
@@ -109,6 +113,20 @@ def _roots(brep: Brep, side: FaceRecord) -> Iterator[int]:
             continue
         walls = [brep.faces[i] for i in beyond if brep.faces[i].kind is SurfaceKind.CYLINDER]
         yield from (w.id for w in walls if w.outward > 0 and parallel(w.axis, edge.direction, ALONG))
+
+
+def _is_proud_hub(brep: Brep, wall: FaceRecord, edge: EdgeRecord) -> bool:
+    """Is it an outer cylinder around a bore, that a tangential edge along it covers a part of?"""
+    if edge.convexity is not EdgeConvexity.SMOOTH or wall.outward < 0:
+        return False
+    low, high = span(face_points(brep, (wall.id,)), wall.axis)
+    near = ALONG * wall.radius
+    return exceeds(high - low, edge.length) and any(
+        face.kind is SurfaceKind.CYLINDER and face.outward < 0 and face.body == wall.body
+        and face.radius < wall.radius and parallel(face.axis, wall.axis, ALONG)
+        and Axis.of(wall).radius_of(face.origin) < near
+        for face in brep.faces
+    )  # fmt: skip
 
 
 def _pairs(brep: Brep, hub: _Hub) -> Iterator[tuple[FaceRecord, FaceRecord]]:
@@ -151,7 +169,8 @@ def _arm(brep: Brep, hub: _Hub, a: FaceRecord, b: FaceRecord) -> Arm | None:
     if max(levels, default=0.0) - min(levels, default=0.0) <= 0:
         levels = list(span(face_points(brep, (a.id, b.id)), axis))
     rims = [face.radius for face in around if _is_rim(face, hub)]
-    ends = _ends(brep, a, axis) | _ends(brep, b, axis)
+    near = ALONG * hub.radius
+    ends = {i for i in _ends(brep, a, axis) | _ends(brep, b, axis) if not _is_on(brep.faces[i], hub, near)}
     origin = dot(hub.axis.origin, way)
     reach = min(rims) if rims else span(face_points(brep, (a.id, b.id, *ends)), way)[1] - origin
     width = abs(dot(sub(a.point, b.point), unit(sub(a.axis, b.axis))))
@@ -172,6 +191,11 @@ def _arm(brep: Brep, hub: _Hub, a: FaceRecord, b: FaceRecord) -> Arm | None:
         is_spoke=bool(rims),
         center_length=None if rims else _to_the_eye(brep, hub, way, reach, width),
     )
+
+
+def _is_on(face: FaceRecord, hub: _Hub, near: float) -> bool:
+    """Is it a wall about the hub's axis?"""
+    return face.kind is SurfaceKind.CYLINDER and hub.axis.radius_of(face.origin) < near
 
 
 def _to_the_eye(brep: Brep, hub: _Hub, way: Vector, reach: float, width: float) -> float | None:
