@@ -237,3 +237,13 @@ def test_the_fillet_at_a_shoulder_and_a_long_waist_part_steps() -> None:
     assert sorted(step.height or 0 for step in eased.of("boss")) == near(30, 30)
     waisted = find(cut(cylinder(20, 120), torus(70, 60, (0, 0, 60))))
     assert len(waisted.of("boss")) == 2
+
+
+def test_the_drum_of_a_spool_is_a_step_between_flanges_and_the_bottom_of_a_seal_groove_is_none() -> None:
+    spool = fuse(cylinder(43, 72), cylinder(95, 5), cylinder(100, 4, (0, 0, 68)))
+    found = {round(2e3 * (boss.radius or 0.0)): boss for boss in find(cut(spool, cylinder(26, 72))).of("boss")}
+    assert sorted(found) == [86, 190, 200]
+    assert found[86].height == pytest.approx(63 * MM)
+    assert ["flange" in found[size].tags for size in (190, 200)] == [True, True]
+    piston = fuse(cylinder(17.5, 14), cylinder(20, 3), cylinder(20, 3, (0, 0, 11)))
+    assert only_boss(piston).diameter == pytest.approx(40 * MM)

@@ -193,7 +193,10 @@ def _is_step(wall: Wall, stack: Stack) -> bool:
 
 
 def is_neck(wall: Wall, stack: Stack) -> bool:
-    """Is it the bottom of a groove turned into a shaft: shorter than its diameter, between wider walls, or hollow?"""
+    """Is it the bottom of a groove turned into a shaft: shorter than its diameter, between wider walls, or hollow?
+
+    The drum of a spool is none: longer than both flanges together, which are wider by more than flanges are.
+    """
     if wall.kind is SurfaceKind.TORUS and wall.outward < 0:
         return True
     low, high = wall_range(stack.axis, wall)
@@ -201,7 +204,13 @@ def is_neck(wall: Wall, stack: Stack) -> bool:
         return False
     below = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[1] <= low + 0.01 * wall.height]
     above = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[0] >= high - 0.01 * wall.height]
-    return all(any(w.radius > 1.001 * wall.radius for w in side[-1:]) for side in (below, above[:1]))
+    if not below or not above:
+        return False
+    beside = below[-1], above[0]
+    narrower = min(w.radius for w in beside)
+    if wall.height > sum(w.height for w in beside) and narrower > FLANGE_RATIO * wall.radius:
+        return False
+    return narrower > 1.001 * wall.radius
 
 
 def is_flank(wall: Wall, stack: Stack) -> bool:
