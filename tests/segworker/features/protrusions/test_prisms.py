@@ -5,6 +5,7 @@ import math
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import (
+    box,
     chamfered,
     compound,
     cone,
@@ -124,3 +125,11 @@ def test_a_cam_whose_sides_run_together_is_no_obround_plate() -> None:
         sides = extruded([(-x, y) for x, y in reversed(side)] + side, 0.0, 8.0)
         cam = fuse(sides, cylinder(20, 8), cylinder(small, 8, (0, 40, 0)))
         assert [part.tags[0] for part in find(cam).of("prism")] == [name]
+
+
+def test_the_ends_and_the_flanks_of_a_profile_are_no_sides_of_a_block_and_a_lug_on_a_ring_is_one() -> None:
+    arch = cut(cylinder(18, 20, (0, 0, 0), (0, 1, 0)), box((80, 20, 20), (-40, 0, -20)))
+    saddle = cut(fuse(box((80, 20, 4), (-40, 0, 0)), arch), cylinder(15, 20, (0, 0, 0), (0, 1, 0)))
+    assert [part.thickness for part in find(saddle).of("prism")] == pytest.approx([4e-3, 4e-3])
+    lug = fuse(cut(cylinder(30, 40), cylinder(26, 40)), box((10, 7, 10), (-30, -3.5, 40)))
+    assert [part.height for part in find(lug).of("prism")] == pytest.approx([10e-3])

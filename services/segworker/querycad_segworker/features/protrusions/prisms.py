@@ -33,6 +33,9 @@ from querycad_segworker.vectors import (
 
 MAX_SIDES = 12
 """More sides than this are a faceted circle."""
+OUTREACH = 1 / 3
+"""Sides that meet along less than this share of their reach are the flanks of a profile, as of a Z or a saddle, and its
+ends; those of a lug with a round end meet along more."""
 ONE_WAY = 1e-3
 """Sine of the angle below which two sides look the same way, as for the edges between them."""
 
@@ -66,6 +69,8 @@ def recognise_prisms(brep: Brep, chamfers: Collection[int] = ()) -> list[Prism]:
     ends.
     """
     found: list[Prism] = []
+    open_ended: list[Prism] = []
+    profiles: list[set[int]] = []
     for direction, links in _links_by_direction(brep).items():
         for ring in parted(sorted(links), links.__getitem__):
             if len(ring) < 3 or not all(len(links[face]) == 2 for face in ring):
@@ -78,8 +83,16 @@ def recognise_prisms(brep: Brep, chamfers: Collection[int] = ()) -> list[Prism]:
                 refuse("prism", ring, f"its {len(ring)} sides are those of a faceted circle")
             elif _meets_in_chamfers(brep, ring, direction, chamfers):
                 refuse("prism", ring, "its sides meet at broken corners only")
+            elif _outreach_corners(brep, ring, direction, chamfers):
+                refuse("prism", ring, "its sides reach further than they meet: those of a profile")
+                profiles.append(ring)
             else:
                 found.append(_prism(brep, ring, direction, chamfers))
+                if any(_runs_on(brep, side, _corners(brep, ring, direction), direction) for side in ring):
+                    open_ended.append(found[-1])
+    # What has flanks of a profile that run on past it is a stretch of that profile.
+    stretches = [prism for prism in open_ended if any(len(ring.intersection(prism.faces)) > 1 for ring in profiles)]
+    found = [prism for prism in found if prism not in stretches]
     kept: list[Prism] = []
     for prism in sorted(
         found, key=lambda p: (not (p.sides > 4 and _is_regular(brep, p)), significant(p.height), p.faces)
@@ -236,6 +249,24 @@ def _meets_in_chamfers(brep: Brep, ring: set[int], direction: Vector, chamfers: 
     longest = max(edge.length for edge in _corners(brep, ring, direction))
     reaches = [span(face_points(brep, (side,)), direction) for side in ring.difference(chamfers)]
     return len(reaches) < len(ring) and all(high - low > ALIKE * longest for low, high in reaches)
+
+
+def _outreach_corners(brep: Brep, ring: set[int], direction: Vector, chamfers: Collection[int]) -> bool:
+    """Do two sides reach further along the ring than any two of its sides meet, with no chamfer turned around it?
+
+    The ends of a profile, such as a Z or a saddle, and its two flanks. A side that runs on across, level with what the
+    prism stands on, does not count; nor does what chamfers and rounds beside the sides take off their corners.
+    """
+    axis = upwards(direction)
+    corners = _corners(brep, ring, direction)
+    own = (side for side in sorted(ring) if not _runs_on(brep, side, corners, axis))
+    reaches = [span(face_points(brep, (side,)), axis) for side in own]
+    beside = [brep.faces[i] for i in sorted({i for side in ring for _, i in brep.neighbours(side)} - ring)]
+    breaks = [face.id for face in beside if face.id in chamfers or (face.outward > 0 and is_blend(brep, face))]
+    taken = (span(face_points(brep, (face,)), axis) for face in breaks)
+    most = max(edge.length for edge in corners) + 2 * max((high - low for low, high in taken), default=0.0)
+    turned = any(_is_turned_chamfer(brep, face, ring, axis) for face in beside)
+    return not turned and sum(OUTREACH * (high - low) > most for low, high in reaches) > 1
 
 
 def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector) -> bool:
