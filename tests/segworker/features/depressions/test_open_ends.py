@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import box, cut, find, fuse, prism, shifted
+from tests.segworker.shapes import box, cut, filleted, find, fuse, prism, shifted, upright
 
 BLOCK = box((60, 30, 20), (0, 0, 0))
 
@@ -46,3 +46,16 @@ def test_gussets_farther_apart_than_long_leave_no_slot_and_a_channel_keeps_its_l
     uneven = cut(box((100, 60, 40)), box((100, 40, 30), (0, 10, 10)), box((50, 10, 40), (50, 50, 20)))
     (channel,) = find(uneven).of("channel")
     assert channel.length == pytest.approx(0.1)
+
+
+def test_the_waist_of_a_casing_between_flange_and_foot_is_no_pocket() -> None:
+    casing = box((80, 40, 60), (10, 10, 0))
+    waist = fuse(filleted(casing, 8, *upright(casing)), box((100, 60, 10)), box((100, 60, 10), (0, 0, 50)))
+    found = find(waist)
+    assert not [part for kind in ("pocket", "channel", "slot") for part in found.of(kind)]
+
+
+def test_a_pocket_with_an_island_stays_one() -> None:
+    island = cut(box((80, 60, 20)), box((70, 50, 10), (5, 5, 10)))
+    (pocket,) = find(fuse(island, box((20, 16, 6), (30, 22, 10)))).of("pocket")
+    assert [pocket.length, pocket.width, pocket.depth] == pytest.approx([0.07, 0.05, 0.01])

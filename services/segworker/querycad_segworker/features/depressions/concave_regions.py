@@ -38,6 +38,8 @@ BEVEL = 0.1
 """Cosine of the angle that a bevel at the foot of a wall stands off both the wall and the floor at least."""
 LEVEL = 0.9
 """Cosine: what a slot is cut into looks the way that its floor does, within 26 degrees."""
+CROSSING = 0.5
+"""Cosine: directions that enclose 60 degrees or more cross."""
 CHANNEL_SHARE = 0.5
 """A slot wider than this share of its body is the inside of a channel section, not a slot in something."""
 
@@ -258,6 +260,9 @@ def _open_on_floor(
     graph: ConcaveGraph, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord], pair: Pair | None
 ) -> Depression | None:
     """A slot, channel, notch or step: a floor with walls that leave a side open."""
+    if _goes_around(graph.brep.of_kind(SurfaceKind.PLANE, sorted(group))):
+        refuse("pocket", group, "its walls look away from each other: it goes around a body")
+        return None
     if pair is not None:
         return slot_between(graph, group, floor, walls, pair)
     plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
@@ -313,6 +318,12 @@ def _rise(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord]) -> float:
 
 def _are_back_to_back(a: FaceRecord, b: FaceRecord) -> bool:
     return dot(a.axis, b.axis) < -math.cos(DRAFT_RAD) and dot(sub(b.point, a.point), a.axis) < 0
+
+
+def _goes_around(planes: Sequence[FaceRecord]) -> bool:
+    """Do planes look away from each other in two crossing directions, as those of a casing between flange and foot?"""
+    away = [a.axis for i, a in enumerate(planes) for b in planes[i + 1 :] if _are_back_to_back(a, b)]
+    return any(abs(dot(one, other)) < CROSSING for i, one in enumerate(away) for other in away[i + 1 :])
 
 
 def _meet(brep: Brep, a: FaceRecord, b: FaceRecord) -> bool:
@@ -432,7 +443,8 @@ def _is_walled_in(
         bulges = edge.convexity is EdgeConvexity.CONCAVE and all(
             graph.brep.faces[f].outward > 0 for f in edge.faces if f not in group
         )
-        if bulges or (edge.convexity is EdgeConvexity.SMOOTH and set(edge.faces) <= group):
+        falls = any(graph.brep.faces[f].outward > 0 for f in edge.faces)  # over a round, to another side of the body
+        if bulges or (edge.convexity is EdgeConvexity.SMOOTH and set(edge.faces) <= group and not falls):
             closed += 1
         elif all(other in others or other in graph.taken for other in edge.faces if other != floor.id):
             broken += 1
