@@ -35,7 +35,16 @@ from .ends import (
 )
 from .hole import RIM, Hole, Section, SectionKind
 from .inline_bores import united_through_walls
-from .sections import THREAD_WIDTH, different_radii, is_fine, over_grooves, sections_of, tags_of, without_ring_thread
+from .sections import (
+    THREAD_WIDTH,
+    different_radii,
+    is_fine,
+    is_shallow,
+    over_grooves,
+    sections_of,
+    tags_of,
+    without_ring_thread,
+)
 
 RECESS_RATIO = 0.25
 """Shallower than this share of its diameter, a blind round recess by itself is a pocket; drilled and bored holes are
@@ -188,9 +197,9 @@ def _form(inwards: Sequence[Wall], stack: Stack, high: bool, point: Wall | None,
     """Sections and steps from the opening inwards, those of a thread as one bore; `high`: it opens at the high end."""
     stretches = over_grooves(inwards, stack.axis, tolerances)
     sections = sections_of(stretches, stack.axis, high, stack.open_both, point, tolerances)
-    spotface = {f for s in sections if s.kind is SectionKind.SPOTFACE for f in s.faces}
+    shallow = {f for s in sections if is_shallow(s) for f in s.faces}
     cylinders = [w for w in stretches if w.kind is SurfaceKind.CYLINDER]
-    steps = different_radii([w.radius for w in cylinders if spotface.isdisjoint(w.faces)], tolerances)
+    steps = different_radii([w.radius for w in cylinders if shallow.isdisjoint(w.faces)], tolerances)
     pitch = next((w.pitch for w in stack.walls if w.pitch is not None), None)
     bare = without_ring_thread(steps, tolerances) if is_fine(cylinders, stack.axis) else None
     if bare is not None:

@@ -10,7 +10,7 @@ from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.coaxial_stacks import radius_at, wall_range
 from querycad_segworker.features.shared.walls import Axis, Wall
 from querycad_segworker.tolerances import Tolerances, exceeds, reaches
-from querycad_segworker.vectors import scale
+from querycad_segworker.vectors import dist, scale
 
 from .hole import Section, SectionKind
 
@@ -143,6 +143,14 @@ def _is_spotface(wall: Wall, inside: Wall, bore: Wall, outside: Sequence[Wall]) 
     first = all(w.kind is not SurfaceKind.CYLINDER for w in outside)
     most = min(SPOTFACE_RATIO * 2 * wall.radius, wall.radius - bore.radius)
     return first and inside.radius < wall.radius and not reaches(wall.height, most)
+
+
+def is_shallow(section: Section) -> bool:
+    """Does it only face the surface around a bore, or ease its mouth, so that the bore has no step?"""
+    eased = section.kind is SectionKind.SEAT and not reaches(
+        dist(section.start, section.end), SPOTFACE_RATIO * 2 * section.radius
+    )
+    return eased or section.kind is SectionKind.SPOTFACE
 
 
 def _is_bowl(wall: Wall, over: Wall) -> bool:
