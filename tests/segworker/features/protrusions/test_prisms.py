@@ -133,3 +133,10 @@ def test_the_ends_and_the_flanks_of_a_profile_are_no_sides_of_a_block_and_a_lug_
     assert [part.thickness for part in find(saddle).of("prism")] == pytest.approx([4e-3, 4e-3])
     lug = fuse(cut(cylinder(30, 40), cylinder(26, 40)), box((10, 7, 10), (-30, -3.5, 40)))
     assert [part.height for part in find(lug).of("prism")] == pytest.approx([10e-3])
+
+
+def test_a_square_bar_with_broken_edges_lies_along_its_length() -> None:
+    bar = extruded([(0, 0), (20, 0), (20, 20), (0, 20)], 0.0, 80.0)
+    for shape in (bar, chamfered(bar, 1, *edges(bar))):
+        (found,) = find(shape).of("prism")
+        assert found.label == "rectangular block, 80 x 20 mm, height 20 mm"

@@ -200,8 +200,9 @@ def _prism(brep: Brep, ring: set[int], direction: Vector, chamfers: Collection[i
         ends = [add(center, scale(axis, level - dot(center, axis))) for level in (min(levels), max(levels))]
         box = box_of((*box, *ends)) or box
         center, height = box_center(box), max(high, *levels) - min(low, *levels)
+    named = _unbroken(brep, ring, axis, chamfers)
     return Prism(
-        sides=len(ring),
+        sides=len(named),
         normal=axis,
         direction=frame.u,
         length=length,
@@ -212,7 +213,7 @@ def _prism(brep: Brep, ring: set[int], direction: Vector, chamfers: Collection[i
         tip=add(center, scale(axis, max([high, *levels]) - dot(center, axis))),
         faces=tuple(sorted(own)),
         body=brep.faces[min(ring)].body,
-        outline=polygon_name([brep.faces[side].axis for side in _unbroken(brep, ring, axis, chamfers)]),
+        outline=polygon_name([brep.faces[side].axis for side in named]),
     )
 
 
