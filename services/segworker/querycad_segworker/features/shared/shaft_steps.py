@@ -15,6 +15,8 @@ ALIKE = 1.001
 """Lengths and radii that differ by less than this factor are equal on a drawing."""
 FLAT = 0.5
 """Shorter than this share of its diameter: a disc, as washers, flanges and plates are."""
+FLANGE_RATIO = 1.2
+"""A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 CENTRED = 0.02
 """What lies around an axis has its middle nearer to it than this share of the radius."""
 

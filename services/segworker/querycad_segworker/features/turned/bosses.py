@@ -18,11 +18,13 @@ from querycad_segworker.features.shared.coaxial_stacks import (
 )
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import end_of_corner_chamfer
-from querycad_segworker.features.shared.shaft_steps import ALIKE, FLAT, goes_on, is_clasped, is_collar
+from querycad_segworker.features.shared.shaft_steps import ALIKE, FLANGE_RATIO, FLAT, goes_on, is_clasped, is_collar
 from querycad_segworker.features.shared.walls import Axis, Wall, is_waist
 from querycad_segworker.tolerances import Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import parallel, points_up, scale
+
+from .necks import is_flank, is_neck
 
 WIDER = 1.05
 """A chamfer begins about as wide as the cylinder that it is on."""
@@ -33,8 +35,6 @@ TUBE_RATIO = 0.5
 HOLLOW = 0.5
 """A tube is bored along more than this share of its height: it may be closed at one end; a shaft with a hole in its end
 is none."""
-FLANGE_RATIO = 1.2
-"""A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 
 EVEN = 0.1
 """The wall of a hollow cone is as thick at both ends, but for this share; else it tapers, and has no one thickness."""
@@ -190,49 +190,6 @@ def _is_step(wall: Wall, stack: Stack) -> bool:
     ]
     beside = touching or slim  # over a rounding nothing touches
     return wall.kind is SurfaceKind.CONE and all(wall.height > 0.5 * c.radius for c in beside)
-
-
-def is_neck(wall: Wall, stack: Stack) -> bool:
-    """Is it the bottom of a groove turned into a shaft: shorter than its diameter, between wider walls, or hollow?
-
-    The drum of a spool is none: longer than both flanges together, which are wider by more than flanges are.
-    """
-    if wall.kind is SurfaceKind.TORUS and wall.outward < 0:
-        return True
-    low, high = wall_range(stack.axis, wall)
-    if wall.height >= 2 * wall.radius:
-        return False
-    below = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[1] <= low + 0.01 * wall.height]
-    above = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[0] >= high - 0.01 * wall.height]
-    if not below or not above:
-        return False
-    beside = below[-1], above[0]
-    narrower = min(w.radius for w in beside)
-    if wall.height > sum(w.height for w in beside) and narrower > FLANGE_RATIO * wall.radius:
-        return False
-    return narrower > 1.001 * wall.radius
-
-
-def is_flank(wall: Wall, stack: Stack) -> bool:
-    """Is it one of two cones that meet at the bottom of a V, turned into a cylinder on both sides of them?"""
-    if wall.kind is not SurfaceKind.CONE:
-        return False
-    low, high = wall_range(stack.axis, wall)
-    near = 0.01 * wall.height
-    narrow_high = radius_at(stack.axis, wall, True) < radius_at(stack.axis, wall, False)
-    for other in stack.walls:
-        if other is wall or other.kind is not SurfaceKind.CONE:
-            continue
-        a, b = wall_range(stack.axis, other)
-        bottom, there = (high, a) if narrow_high else (low, b)
-        radius = radius_at(stack.axis, wall, narrow_high)
-        meet = abs(bottom - there) <= near and abs(radius_at(stack.axis, other, not narrow_high) - radius) <= near
-        if meet and radius_at(stack.axis, other, narrow_high) > radius + near:
-            ends = sorted((low, high, a, b))
-            cylinders = [wall_range(stack.axis, w) for w in stack.walls if w.kind is SurfaceKind.CYLINDER]
-            below = any(abs(top - ends[0]) <= near for _, top in cylinders)
-            return below and any(abs(foot - ends[-1]) <= near for foot, _ in cylinders)
-    return False
 
 
 def _boss(
