@@ -16,8 +16,9 @@ from querycad_segworker.features.shared.extruded_walls import (
 )
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.regular import depth_of_flat
 from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, parallel, span, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
@@ -187,24 +188,12 @@ def _floor(
             len(walls),
             pair is not None,
             size,
-            face.area >= largest and _is_flat(graph.brep, face),
+            face.area >= largest and depth_of_flat(graph.brep, face) is not None,
             dot(face.axis, (0.1, -0.2, 1.0)),
             face.area,
         )
 
     return max(planes, key=rank)
-
-
-def _is_flat(brep: Brep, face: FaceRecord) -> bool:
-    """Does it end in sharp edges along an outer cylinder, as a flat on a shaft does?"""
-    return any(
-        edge.kind is EdgeKind.LINE
-        and edge.convexity is EdgeConvexity.CONVEX
-        and brep.faces[other].kind is SurfaceKind.CYLINDER
-        and brep.faces[other].outward > 0
-        and parallel(edge.direction, brep.faces[other].axis, SQUARE)
-        for edge, other in brep.neighbours(face.id)
-    )
 
 
 def _is_surrounded(brep: Brep, face: FaceRecord, group: set[int]) -> bool:

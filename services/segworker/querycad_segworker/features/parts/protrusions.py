@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections import defaultdict
+from collections.abc import Collection, Mapping, Sequence
 
 from querycad_contracts import Part, PartKind, Vector
 from querycad_segworker.features.protrusions.arms import Arm
@@ -88,9 +89,13 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
     standing = [part for part in parts if part.kind.stands_out or part.kind in _MADE_OF_PIECES]
     number = sum(part.kind is PartKind.ELEVATION for part in parts)
     cuts = [frozenset(part.faces) for part in parts if part.kind.cuts_in]
+    leaving: dict[int, list[Part]] = defaultdict(list)
+    for part in parts:
+        for face in part.faces if part.kind in _LEAVING else ():
+            leaving[face].append(part)
     found: list[Part] = []
     for ledge in ledges:
-        if any(cut.issuperset(ledge.faces) for cut in cuts) or _is_left_by_slots(ledge, parts):
+        if any(cut.issuperset(ledge.faces) for cut in cuts) or _is_left_by_slots(ledge, leaving):
             continue
         whole, largest = faces_area(brep, ledge.faces), max(ledge.faces, key=lambda face: brep.faces[face].area)
         shared = [(part, set(ledge.faces).intersection(part.faces)) for part in standing]
@@ -102,16 +107,18 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
     return found
 
 
-def _is_left_by_slots(ledge: Protrusion, parts: Sequence[Part]) -> bool:
-    """Does it rise only from walls of slots, pockets or notches that are narrower than itself, or undercut?"""
-    cuts = [part for part in parts if part.kind in _LEAVING]
-    left = {
-        face
-        for cut in cuts
-        if not exceeds(cut.width or 0.0, ledge.width) or not UNDERCUT.isdisjoint(cut.tags)
-        for face in cut.faces
-    }
-    return bool(ledge.feet) and left.issuperset(ledge.feet)
+def _is_left_by_slots(ledge: Protrusion, leaving: Mapping[int, Sequence[Part]]) -> bool:
+    """Does it rise only from walls of slots, pockets or notches that are narrower than itself, or undercut?
+
+    `leaving`: the slots, pockets and notches that each face belongs to.
+    """
+    return bool(ledge.feet) and all(
+        any(
+            not exceeds(cut.width or 0.0, ledge.width) or not UNDERCUT.isdisjoint(cut.tags)
+            for cut in leaving.get(foot, ())
+        )
+        for foot in ledge.feet
+    )
 
 
 def _is_most(brep: Brep, faces: Collection[int], part: Part) -> bool:

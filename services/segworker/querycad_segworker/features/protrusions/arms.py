@@ -18,6 +18,8 @@ from querycad_segworker.vectors import add, dist, dot, foot, mid, norm, parallel
 
 ALONG = 0.02
 """Sine of the angle by which the edge at the root of an arm may lean off the hub's axis."""
+CORNER_RAD = math.radians(100.0)
+"""What turns by less is the rounded corner of a block, which its sides run into, too."""
 SIDEWAYS = 0.5
 """Cosine: what stands out of a hub less than 30 degrees off square to its axis is a part of an arm."""
 TAPER = math.sin(math.radians(10.0))
@@ -117,7 +119,7 @@ def _roots(brep: Brep, side: FaceRecord) -> Iterator[int]:
 
 def _is_proud_hub(brep: Brep, wall: FaceRecord, edge: EdgeRecord) -> bool:
     """Is it an outer cylinder around a bore, that a tangential edge along it covers a part of?"""
-    if edge.convexity is not EdgeConvexity.SMOOTH or wall.outward < 0:
+    if edge.convexity is not EdgeConvexity.SMOOTH or wall.outward < 0 or wall.sweep < CORNER_RAD:
         return False
     low, high = span(face_points(brep, (wall.id,)), wall.axis)
     near = ALONG * wall.radius
