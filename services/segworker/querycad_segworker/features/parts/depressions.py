@@ -46,7 +46,7 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
     tags = [found.outline, "through" if through else "blind", "open" if found.is_open else "closed"]
     if reaches(found.length, ELONGATED * found.width) and (found.is_open or found.outline in ALONG):
         tags.append("elongated")
-    if found.corner_radius is not None and found.outline in POLYGONS.values():
+    if found.corner_radius is not None and found.outline in (*POLYGONS.values(), "polygonal"):
         tags.append("rounded_corners")
     tags.extend(tag for tag in found.tags if tag not in tags)
     extents = box_extents(faces_box(brep, found.faces))

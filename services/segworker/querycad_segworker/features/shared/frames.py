@@ -31,6 +31,14 @@ ARCHED = "arched"
 SKEW = math.sin(math.radians(3.0))
 """Sides that run apart by more than this lean on purpose; converted files are off by far less."""
 
+HULL = 0.7
+"""An outline whose sides are less than that on its convex hull is no polygon with a name: a notch is as deep as long,
+so with .7 those in a square may take a third of a side."""
+BROKEN_CORNER = 0.25
+"""A side this much shorter than both its neighbours breaks their corner; those of a regular octagon are alike."""
+FLUSH = 1e-3
+"""Corners this much of the longest side beyond another are on it."""
+
 
 @dataclass(frozen=True, slots=True)
 class LocalFrame:
@@ -155,7 +163,45 @@ def outline_of(brep: Brep, rim: Loop, tolerances: Tolerances) -> tuple[str, floa
     if len(directions) == 2 and parallel(directions[0], directions[1], SKEW) and abs(total_arc - 2 * math.pi) < 0.1:
         return "obround", arcs[0].radius
     radii = [arc.radius for arc in arcs if arc.radius]
-    return polygon_name(directions), min(radii) if radii else None
+    name = polygon_name(directions) if len(directions) <= 4 else _polygon(lines, [arc for arc in arcs if arc.radius])
+    return name, min(radii) if radii else None
+
+
+def _polygon(lines: Sequence[EdgeRecord], arcs: Sequence[EdgeRecord]) -> str:
+    """The name of an outline by the sides of its convex hull, of which small notches and broken corners are no part.
+
+    'polygonal' where the hull has less than `HULL` of the length of all sides: an L, a cross or a comb.
+    """
+    normal = next((n for edge in lines if norm(n := cross(_along(lines[0]), _along(edge))) > SKEW), None)
+    if normal is None:
+        return polygon_name([])
+    normal = unit(normal)
+    corners = [point for edge in (*lines, *arcs) for point in (edge.start, edge.end)]
+    longest = max(edge.length for edge in lines)
+    sides: list[tuple[float, float, Vector]] = []  # angle of the normal, length, direction
+    for edge in lines:
+        along = _along(edge)
+        across = cross(along, normal)
+        heights = [dot(sub(corner, edge.start), across) for corner in corners]
+        if max(heights) > FLUSH * longest:
+            across, heights = scale(across, -1.0), [-height for height in heights]
+        if max(heights) > FLUSH * longest:
+            continue
+        angle = math.atan2(dot(across, cross(normal, _along(lines[0]))), dot(across, _along(lines[0])))
+        same = next((i for i, side in enumerate(sides) if abs(math.remainder(side[0] - angle, math.tau)) < SKEW), None)
+        if same is None:
+            sides.append((angle, edge.length, along))
+        else:
+            sides[same] = (sides[same][0], sides[same][1] + edge.length, sides[same][2])
+    if sum(length for _, length, _ in sides) < HULL * sum(edge.length for edge in lines):
+        return polygon_name([])
+    sides.sort()
+    neighbours = zip(sides[-1:] + sides[:-1], sides, sides[1:] + sides[:1], strict=True)
+    return polygon_name([side[2] for one, side, other in neighbours if side[1] > BROKEN_CORNER * min(one[1], other[1])])
+
+
+def _along(line: EdgeRecord) -> Vector:
+    return unit(sub(line.end, line.start))
 
 
 def polygon_name(sides: Sequence[Vector]) -> str:
