@@ -38,7 +38,7 @@ from .faces import likely_up
 from .holes.hole import Hole
 from .holes.recognise import recognise_holes
 from .parts.bent_arcs import bent_arc_part, recognise_bent_arcs
-from .parts.depressions import blend_part, depression_part, turned_groove_part
+from .parts.depressions import blend_part, depression_part, turned_groove_part, without_corners_of_walls
 from .parts.flat_walls import flat_wall_part, recognise_flat_walls
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
 from .parts.joined_holes import with_joined_counterbores
@@ -190,6 +190,7 @@ def _parts(
         recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances),
         [frozenset(ribs[n - 1].flanks) for n in fin_numbers],
     )
+    depressions, corners = without_corners_of_walls(depressions, flat_walls)
     standing = [boss for boss in beside_pipes(brep, bosses, pipes) if not _is_island(boss, holes, tolerances)]
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
@@ -217,7 +218,7 @@ def _parts(
         *_numbered(brep, round_.knurls, knurl_part),
         *(tooth for n, gear in enumerate(gears, start=1) for tooth in tooth_parts(brep, gear, n)),
     ]
-    parts += region_parts(brep, parts, volumes, tolerances)
+    parts += region_parts(brep, parts, {face for cut in corners for face in cut.faces}, volumes, tolerances)
     parts += ledge_parts(brep, standing_out.ledges, parts, volumes)
     bearings = recognise_bearings(brep, tolerances)
     turned = _turned(brep, round_.bosses, holes, gears)

@@ -41,6 +41,9 @@ LEVEL = 0.9
 """Cosine: what a slot is cut into looks the way that its floor does, within 26 degrees."""
 CROSSING = 0.5
 """Cosine: directions that enclose 60 degrees or more cross."""
+LEANS_BACK = math.sin(math.radians(29.5))
+"""A step's wall stands up from its floor: one that leans back by 30 degrees or more, as the sides of a hexagon do to
+each other, is the next side of the body."""
 CHANNEL_SHARE = 0.5
 """A slot wider than this share of its body is the inside of a channel section, not a slot in something."""
 
@@ -264,14 +267,18 @@ def _open_on_floor(
         refuse("step", group, "its walls look away from each other: they are those of what stands on the floor")
         return None
     kind = DepressionKind.STEP
+    leaning = [wall for wall in plane_walls if dot(wall.axis, floor.axis) > LEANS_BACK]
     if any(sum(_meet(graph.brep, wall, end) for end in round_ends) > 1 for wall in plane_walls):
         kind = DepressionKind.SLOT  # closed at both ends by the round of the cutter, open along one side
+    elif leaning == plane_walls != []:
+        refuse("step", group, "its walls lean back: it lies between sides of the body at obtuse angles")
+        return None
     if not plane_walls:
         outline = "circular"
     elif round_ends:
         outline = "obround" if kind is DepressionKind.SLOT else "free"
     else:
-        outline = "rectangular" if _is_square(plane_walls) else "free"
+        outline = "rectangular" if _is_square(plane_walls) and not leaning else "free"
     found = depression_in(kind, outline, frame, group, (floor.id,), floor.body, is_open=True)
     if kind is not DepressionKind.STEP:
         return found

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from querycad_contracts import Bottom, Part, SurfaceKind
 from querycad_segworker.features.blends.fillets_chamfers import Blend
@@ -17,11 +18,13 @@ from querycad_segworker.features.shared.part_measures import (
     millimetres,
     outlined,
 )
+from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.turned.grooves import TurnedGroove
-from querycad_segworker.tolerances import reaches
+from querycad_segworker.tolerances import exceeds, reaches
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import box_extents
 
+from .flat_walls import FlatWall
 from .volumes import Volumes
 
 ALONG = frozenset(("rectangular", "obround", "curved"))
@@ -33,6 +36,31 @@ _DEPRESSION_NAMES = {DepressionKind.PASSAGE: "cutout"}
 
 _RUNNING = (DepressionKind.SLOT, DepressionKind.CHANNEL, DepressionKind.GROOVE)
 """What is as wide at its mouth as it is called wide."""
+
+
+def without_corners_of_walls(
+    depressions: Sequence[Depression], walls: Sequence[FlatWall]
+) -> tuple[list[Depression], list[Depression]]:
+    """Cuts, and apart from them steps that are only the inside of a corner of two walls, as of an angle bracket.
+
+    Floor and wall of such a step are sides of walls that are thinner than it is deep, long and wide.
+    """
+    cuts, corners = list[Depression](), list[Depression]()
+    for found in depressions:
+        if found.kind is DepressionKind.STEP and _is_corner(found, walls):
+            refuse("step", found.faces, "it is the inside of the corner of two walls")
+            corners.append(found)
+        else:
+            cuts.append(found)
+    return cuts, corners
+
+
+def _is_corner(step: Depression, walls: Sequence[FlatWall]) -> bool:
+    least = min(step.depth, step.length, step.width)
+    thin = [wall.faces for wall in walls if exceeds(least, wall.thickness)]
+    below = {face for faces in thin if not set(step.floor).isdisjoint(faces) for face in faces}
+    beside = (faces for faces in thin if below.isdisjoint(faces))
+    return bool(below) and any(not set(step.faces).isdisjoint(faces) for faces in beside)
 
 
 def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes) -> Part:

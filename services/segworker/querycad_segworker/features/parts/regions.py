@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Sequence, Set
 from dataclasses import dataclass, replace
+from itertools import combinations
 
 import numpy as np
 
 from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.blends.rolling_balls import normal_at
+from querycad_segworker.features.depressions.concave_regions import LEANS_BACK
 from querycad_segworker.features.depressions.depression import DepressionKind, depression_in
 from querycad_segworker.features.protrusions.protrusions import Protrusion, tags_of
 from querycad_segworker.features.shared.extruded_walls import section_of
 from querycad_segworker.features.shared.face_regions import UPRIGHT, Moments, Region, closed_regions
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
 from querycad_segworker.features.shared.part_measures import faces_area
+from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
 from querycad_segworker.vectors import add, dot, scale, upwards
@@ -36,8 +39,13 @@ _CUT = _BOTH | {kind for kind in PartKind if kind.cuts_in} | {PartKind.CAVITY}
 _OUT = _BOTH | {kind for kind in PartKind if kind.stands_out} | {PartKind.WALL, PartKind.RING_SECTOR}
 
 
-def region_parts(brep: Brep, parts: Sequence[Part], volumes: Volumes, tolerances: Tolerances) -> list[Part]:
-    """Which regions has no family taken? `parts`: those of all families. None without a mesh to measure them by."""
+def region_parts(
+    brep: Brep, parts: Sequence[Part], corners: Set[int], volumes: Volumes, tolerances: Tolerances
+) -> list[Part]:
+    """Which regions has no family taken? `parts`: those of all families. None without a mesh to measure them by.
+
+    `corners`: faces of corners between walls; what is made of them is no depression.
+    """
     if volumes.moments is None:
         return []
     cuts = [part for part in parts if part.kind in _CUT]
@@ -51,7 +59,7 @@ def region_parts(brep: Brep, parts: Sequence[Part], volumes: Volumes, tolerances
     makers: dict[bool, Callable[[Region, int], Part | None]] = {True: maker.depression, False: maker.elevation}
     found: dict[bool, list[Part]] = {True: [], False: []}
     for region in closed_regions(brep, volumes.moments, across):
-        taken = faces_area(brep, region.faces & (cut if region.sinks else out))
+        taken = faces_area(brep, region.faces & (cut | corners if region.sinks else out))
         if not breaks >= region.faces and taken <= TAKEN * faces_area(brep, region.faces):
             part = makers[region.sinks](region, len(found[region.sinks]) + 1)
             found[region.sinks] += [part] if part is not None else []
@@ -68,7 +76,7 @@ class _Maker:
     """Faces of known cuts, which may break into a region's rim."""
 
     def depression(self, region: Region, number: int) -> Part | None:
-        """None where it goes around something, so that it has no opening to measure from."""
+        """None where it goes around something, so that it has no opening, and of sides that meet at obtuse angles."""
         normal = self._normal(region)
         if normal is None:
             return None
@@ -77,6 +85,9 @@ class _Maker:
         hosts = [(self.brep.edges[e], self._beyond(e, region)) for e in region.border]
         rim = [edge for edge, _ in hosts if dot(edge.mid, normal) > middle]
         is_open = any(h.id not in self.cut and abs(dot(self._looks(h, e), normal)) < ASIDE for e, h in hosts)
+        if is_open and self._is_shallow(region):
+            refuse("depression", region.faces, "it lies between sides of the body at obtuse angles")
+            return None
         outline = "free" if is_open else self._outline(rim, region, normal)
         floor = [face for face in self._faces(region) if dot(face.facing, normal) > UPRIGHT]
         body = self.brep.faces[min(region.faces)].body
@@ -115,6 +126,12 @@ class _Maker:
 
     def _faces(self, region: Region) -> list[FaceRecord]:
         return [self.brep.faces[face] for face in sorted(region.faces)]
+
+    def _is_shallow(self, region: Region) -> bool:
+        """Are all of its faces planes that lean back from each other, so that none is a wall of another?"""
+        faces = self._faces(region)
+        plane = all(face.kind is SurfaceKind.PLANE for face in faces)
+        return plane and all(dot(a.axis, b.axis) > LEANS_BACK for a, b in combinations(faces, 2))
 
     def _normal(self, region: Region) -> Vector | None:
         """To where does it open or rise? As the largest plane says that looks that way, of its own or beside it."""
