@@ -5,7 +5,10 @@ from __future__ import annotations
 import math
 
 import pytest
-from tests.segworker.shapes import box, cut, cylinder, extruded, find, fuse, plate, turned
+from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.GeomAbs import GeomAbs_CurveType
+from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
+from tests.segworker.shapes import Vec, box, cut, cylinder, edges, extruded, filleted, find, fuse, plate, turned
 
 from querycad_contracts import Part
 
@@ -51,3 +54,53 @@ def test_what_is_cut_out_of_a_thick_block_is_a_step() -> None:
 def test_a_rebate_in_the_edge_of_a_plate_is_a_step(turn: float) -> None:
     found = find(turned(cut(plate(80, 60, 10), box((100, 5, 5), (-50, 25, -5))), (1, 0, 0), turn))
     assert [step.depth for step in found.of("step")] == [pytest.approx(5 * MM)]
+
+
+def cut_in_and_standing_out(*tools: TopoDS_Shape) -> list[str]:
+    """What is cut into a shaft of 20 by 60 along z, and what of it has no name."""
+    found = find(cut(cylinder(10, 60), *tools)).parts
+    return [part.kind for part in found if part.kind.cuts_in or part.kind == "elevation"]
+
+
+def test_the_flat_of_a_d_shaft_is_no_step_and_the_d_no_elevation() -> None:
+    assert not cut_in_and_standing_out(box((20, 10, 25), (-10, 7, 35)))
+
+
+@pytest.mark.parametrize(
+    ("size", "at", "kind"),
+    [((6, 10, 25), (-3, 7, 35), "slot"), ((10, 10, 70), (2, 2, -5), "step")],
+    ids=["keyway", "corner along the shaft"],
+)
+def test_other_cuts_in_a_shaft_are_found(size: Vec, at: Vec, kind: str) -> None:
+    assert kind in cut_in_and_standing_out(box(size, at))
+
+
+def test_a_step_across_a_block_with_round_ends_is_one() -> None:
+    block = fuse(box((60, 20, 30), (-30, -10, 0)), cylinder(10, 30, (-30, 0, 0)), cylinder(10, 30, (30, 0, 0)))
+    (step,) = find(cut(block, box((30, 40, 10), (20, -20, 20)))).of("step")
+    assert step.depth == pytest.approx(10 * MM)
+
+
+def lines(shape: TopoDS_Shape, level: float, within: float) -> list[TopoDS_Edge]:
+    """The straight edges along x or y at a height, no farther than that from the middle."""
+    found = []
+    for edge in edges(shape):
+        curve = BRepAdaptor_Curve(edge)
+        at = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2)
+        straight = curve.GetType() == GeomAbs_CurveType.GeomAbs_Line
+        if straight and abs(at.Z() - level) < 1e-6 and max(abs(at.X()), abs(at.Y())) < within:
+            found.append(edge)
+    return found
+
+
+def test_the_plate_around_a_socket_at_its_border_is_no_step() -> None:
+    """The socket lies on the plate over fillets, and has a plane end."""
+    socket = fuse(plate(80, 60, 8), cylinder(15, 40, (0, -10, 8), (0, 1, 0)))
+    assert not find(filleted(socket, 2, *lines(socket, 0, 20))).of("step")
+
+
+@pytest.mark.parametrize("corner", [False, True], ids=["along an edge", "in a corner"])
+def test_a_step_with_rounded_feet_is_one(corner: bool) -> None:
+    block = cut(plate(), box((40 if corner else 70, 10, 5), (-5 if corner else -35, 12, -5)))
+    (step,) = find(filleted(block, 2, *lines(block, -5, 19))).of("step")
+    assert step.depth == pytest.approx(5 * MM)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence, Set
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import replace
+from itertools import combinations
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
@@ -16,10 +17,10 @@ from querycad_segworker.features.shared.extruded_walls import (
 )
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.features.shared.regular import depth_of_flat
+from querycad_segworker.features.shared.regular import depth_of_flat, is_d
 from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, parallel, span, sub, unit, upwards
+from querycad_segworker.vectors import cross, dot, norm, parallel, scale, span, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
 from .slot_sections import (
@@ -263,7 +264,8 @@ def _open_on_floor(
     if along is not None and norm(along) == 0:
         return None
     frame = frame_of(graph.brep, group, floor.axis, None, along)
-    if any(_are_back_to_back(a, b) for i, a in enumerate(plane_walls) for b in plane_walls[i + 1 :]):
+    feet = [*plane_walls, *_over_fillets(graph.brep, group, floor)]
+    if any(_are_back_to_back(a, b) for a, b in combinations(feet, 2)):
         refuse("step", group, "its walls look away from each other: they are those of what stands on the floor")
         return None
     kind = DepressionKind.STEP
@@ -272,6 +274,9 @@ def _open_on_floor(
         kind = DepressionKind.SLOT  # closed at both ends by the round of the cutter, open along one side
     elif leaning == plane_walls != []:
         refuse("step", group, "its walls lean back: it lies between sides of the body at obtuse angles")
+        return None
+    elif len(plane_walls) == 1 and is_d(graph.brep, floor, plane_walls[0]):
+        refuse("step", group, "it is the flat of a D shaft")
         return None
     if not plane_walls:
         outline = "circular"
@@ -316,10 +321,18 @@ def _are_back_to_back(a: FaceRecord, b: FaceRecord) -> bool:
     return dot(a.axis, b.axis) < -math.cos(DRAFT_RAD) and dot(sub(b.point, a.point), a.axis) < 0
 
 
+def _over_fillets(brep: Brep, group: set[int], floor: FaceRecord) -> Iterator[FaceRecord]:
+    """What stands on a floor over fillets, as planes there: what is round has no plane walls."""
+    for fillet in brep.of_kind(SurfaceKind.CYLINDER, group.intersection(brep.beside(floor.id, EdgeConvexity.SMOOTH))):
+        rise = dot(fillet.point_normal, floor.axis)
+        if fillet.outward < 0 and abs(dot(fillet.axis, floor.axis)) < SQUARE and BEVEL < rise < 1 - BEVEL:
+            yield replace(fillet, axis=unit(sub(fillet.point_normal, scale(floor.axis, rise))))
+
+
 def _goes_around(planes: Sequence[FaceRecord]) -> bool:
     """Do planes look away from each other in two crossing directions, as those of a casing between flange and foot?"""
-    away = [a.axis for i, a in enumerate(planes) for b in planes[i + 1 :] if _are_back_to_back(a, b)]
-    return any(abs(dot(one, other)) < CROSSING for i, one in enumerate(away) for other in away[i + 1 :])
+    away = [a.axis for a, b in combinations(planes, 2) if _are_back_to_back(a, b)]
+    return any(abs(dot(one, other)) < CROSSING for one, other in combinations(away, 2))
 
 
 def _meet(brep: Brep, a: FaceRecord, b: FaceRecord) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence, Set
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import combinations, permutations
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from querycad_segworker.features.shared.face_regions import UPRIGHT, Moments, Re
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
 from querycad_segworker.features.shared.part_measures import faces_area
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.regular import is_d
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
 from querycad_segworker.vectors import add, dot, scale, upwards
@@ -76,7 +77,7 @@ class _Maker:
     """Faces of known cuts, which may break into a region's rim."""
 
     def depression(self, region: Region, number: int) -> Part | None:
-        """None where it goes around something, so that it has no opening, and of sides that meet at obtuse angles."""
+        """None where it goes around something, so that it has no opening, and where nothing was cut in."""
         normal = self._normal(region)
         if normal is None:
             return None
@@ -85,8 +86,8 @@ class _Maker:
         hosts = [(self.brep.edges[e], self._beyond(e, region)) for e in region.border]
         rim = [edge for edge, _ in hosts if dot(edge.mid, normal) > middle]
         is_open = any(h.id not in self.cut and abs(dot(self._looks(h, e), normal)) < ASIDE for e, h in hosts)
-        if is_open and self._is_shallow(region):
-            refuse("depression", region.faces, "it lies between sides of the body at obtuse angles")
+        if is_open and self._is_outside(region):
+            refuse("depression", region.faces, "it is a flat of a shaft, or lies between sides at obtuse angles")
             return None
         outline = "free" if is_open else self._outline(rim, region, normal)
         floor = [face for face in self._faces(region) if dot(face.facing, normal) > UPRIGHT]
@@ -127,11 +128,13 @@ class _Maker:
     def _faces(self, region: Region) -> list[FaceRecord]:
         return [self.brep.faces[face] for face in sorted(region.faces)]
 
-    def _is_shallow(self, region: Region) -> bool:
-        """Are all of its faces planes that lean back from each other, so that none is a wall of another?"""
+    def _is_outside(self, region: Region) -> bool:
+        """Do only planes make it that lean back from each other, so that none is a wall, or the flat of a D shaft?"""
         faces = self._faces(region)
-        plane = all(face.kind is SurfaceKind.PLANE for face in faces)
-        return plane and all(dot(a.axis, b.axis) > LEANS_BACK for a, b in combinations(faces, 2))
+        if any(face.kind is not SurfaceKind.PLANE for face in faces):
+            return False
+        leaning = all(dot(a.axis, b.axis) > LEANS_BACK for a, b in combinations(faces, 2))
+        return leaning or (len(faces) == 2 and any(is_d(self.brep, a, b) for a, b in permutations(faces)))
 
     def _normal(self, region: Region) -> Vector | None:
         """To where does it open or rise? As the largest plane says that looks that way, of its own or beside it."""

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of_points, outline_of
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.regular import is_d
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import add, box_extents, box_of, dot, scale, sub, unit
@@ -80,7 +81,7 @@ def recognise_pads(
     `known`: faces of protrusions that stand within a face, and the tops of ribs.
     """
     pieces = [piece for level in _levels(brep, tolerances) for piece in _pieces(brep, level, tolerances)]
-    pieces = [piece for piece in pieces if piece.flush and _is_apart(piece, known)]
+    pieces = [piece for piece in pieces if piece.flush and _is_apart(piece, known) and not _is_d(brep, piece)]
     pads: list[_Piece] = []
     ledges: list[_Piece] = []
     for piece in pieces:
@@ -99,6 +100,11 @@ def recognise_pads(
 def _is_apart(piece: _Piece, known: Collection[int]) -> bool:
     """Is none of its own faces known?"""
     return not (piece.faces - piece.flush).intersection(known)
+
+
+def _is_d(brep: Brep, piece: _Piece) -> bool:
+    """Is it what a flat leaves of a round shaft, beside the shoulder that the flat ends at?"""
+    return all(is_d(brep, wall, brep.faces[host]) for _, wall in piece.feet for host in piece.hosts)
 
 
 def _levels(brep: Brep, tolerances: Tolerances) -> Iterator[list[FaceRecord]]:

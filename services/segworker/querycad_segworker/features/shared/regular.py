@@ -184,3 +184,17 @@ def depth_of_flat(brep: Brep, face: FaceRecord) -> float | None:
         if sum(piece.sweep for piece in own if same_cylinder(wall, piece)) > math.pi:
             return wall.radius - reach
     return None
+
+
+def is_d(brep: Brep, flat: FaceRecord, shoulder: FaceRecord) -> bool:
+    """Is it the single flat that makes a round shaft a D, up to this shoulder square to the shaft?
+
+    Two flats, across which a wrench takes hold, make no D.
+    """
+    rounds = [(e, brep.faces[i]) for e, i in brep.neighbours(flat.id) if brep.faces[i].kind is SurfaceKind.CYLINDER]
+    along = any(e.kind is EdgeKind.LINE and parallel(wall.axis, shoulder.axis, UPRIGHT) for e, wall in rounds)
+    if not along or depth_of_flat(brep, flat) is None:
+        return False
+    others = brep.of_kind(SurfaceKind.PLANE, brep.bodies[flat.body].faces)
+    opposed = (other for other in others if dot(other.axis, flat.axis) < 0 and parallel(other.axis, flat.axis, UPRIGHT))
+    return all(depth_of_flat(brep, other) is None for other in opposed)
