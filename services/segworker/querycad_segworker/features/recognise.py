@@ -31,8 +31,9 @@ from .assemblies.bodies import (
 )
 from .blends.fillets_chamfers import recognise_blends
 from .depressions.clevises import recognise_clevises
-from .depressions.depression import Depression, DepressionKind
+from .depressions.depression import Depression, DepressionKind, with_open_ends
 from .depressions.dimples import Dimple, recognise_dimples
+from .depressions.outlets import recognise_outlets
 from .depressions.recognise import recognise_depressions
 from .faces import likely_up
 from .holes.hole import Hole
@@ -259,6 +260,7 @@ def _cut_in(
     found = recognise_depressions(brep, hole_faces, tolerances, is_clear, round_.walls)
     found = _outside("cutout", found, [frozenset(dimple.faces) for dimple in dimples], "it is what a ball leaves")
     found = [cut for cut in found if cut.kind is not DepressionKind.STEP or not chamfers >= set(cut.faces)]
+    found += [with_open_ends(outlet, is_clear) for outlet in recognise_outlets(brep, found)]
     found += recognise_clevises(brep, recognise_lugs(brep, tolerances), found, is_clear)
     toothed = [frozenset(record.faces) for own in (round_.gears, round_.knurls) for record in own]
     return _outside("slot", found, toothed, "it is the gap between two teeth")

@@ -23,6 +23,7 @@ from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, parallel, scale, span, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
+from .outlets import held_floor
 from .slot_sections import (
     DRAFT_RAD,
     SQUARE,
@@ -93,26 +94,10 @@ def group_depression(
     if all(_is_walled_in(graph, piece, walls, group, others) for piece in floors):
         return _pocket(brep, _within_rim(brep, group, floor, walls, tolerances), floors, planes, tolerances)
     if pair is None or undercut(brep, group, floor, pair) is None:
-        held = _floor_held(graph, group, planes)
-        if held:
-            return replace(_pocket(brep, group, held, planes, tolerances), is_open=True)
+        held = held_floor(graph, group, planes)
+        if held is not None:
+            return _pocket(brep, *held, planes, tolerances, is_open=True)
     return _open_on_floor(graph, group, floor, walls, pair)
-
-
-def _floor_held(graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord]) -> list[FaceRecord]:
-    """The pieces of a floor with walls square on it that turn so far that it is a pocket's, opened by another cut.
-
-    Three walls of a rectangle turn by 180 degrees, those of a triangle by 240. The walls of a T slot or dovetail with
-    a closed end turn as far about the way that it runs: those are asked for before.
-    """
-    for plane in planes:
-        pieces = graph.flush(plane.id) & group
-        if len(group) - len(pieces) < 3 or plane.id != min(pieces):
-            continue
-        around = tunnel_of(graph.brep, group - pieces)
-        if around is not None and around.turn > MORE_THAN_HALF and parallel(around.axis, plane.axis, SQUARE):
-            return [graph.brep.faces[i] for i in sorted(pieces)]
-    return []
 
 
 def _is_bevel(brep: Brep, floor: FaceRecord, pair: Pair) -> bool:
@@ -235,8 +220,15 @@ def _stands_square(wall: FaceRecord, floor: FaceRecord) -> bool:
 
 
 def _pocket(
-    brep: Brep, group: set[int], floors: Sequence[FaceRecord], planes: Sequence[FaceRecord], tolerances: Tolerances
+    brep: Brep,
+    group: set[int],
+    floors: Sequence[FaceRecord],
+    planes: Sequence[FaceRecord],
+    tolerances: Tolerances,
+    *,
+    is_open: bool = False,
 ) -> Depression:
+    """A pocket as large as its rim; an open one as its walls: its floor may run on into an outlet."""
     floor = floors[0]
     owners = first_of_surface([floor, *(plane for plane in planes if plane.id != floor.id)])
     ids = tuple(sorted({*(piece.id for piece in floors), *(i for i, owner in owners.items() if owner == floor.id)}))
@@ -244,8 +236,8 @@ def _pocket(
     around = tunnel_of(brep, group.difference(ids))
     if around is not None and (not around.closed or not _is_surrounded(brep, floor, group)):
         outline = around.outline
-    frame = frame_of(brep, group, floor.axis, floor.loops[0])
-    pocket = depression_in(DepressionKind.POCKET, outline, frame, group, ids, floor.body)
+    frame = frame_of(brep, group.difference(ids) if is_open else group, floor.axis, floor.loops[0])
+    pocket = depression_in(DepressionKind.POCKET, outline, frame, group, ids, floor.body, is_open=is_open)
     return replace(pocket, corner_radius=corner)
 
 

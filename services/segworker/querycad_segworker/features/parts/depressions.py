@@ -22,7 +22,7 @@ from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.turned.grooves import TurnedGroove
 from querycad_segworker.tolerances import exceeds, reaches
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import box_extents
+from querycad_segworker.vectors import box_extents, cross
 
 from .flat_walls import FlatWall
 from .volumes import Volumes
@@ -83,6 +83,11 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
             max(size, found.depth) if abs(along) > ALIGNED else size
             for size, along in zip(extents, found.normal, strict=True)
         )
+        extents = (x, y, z)
+    if found.kind is DepressionKind.POCKET and found.is_open:  # its floor may run on into an outlet
+        across = cross(found.normal, found.direction)
+        ways = ((found.direction, found.length), (across, found.width), (found.normal, found.depth))
+        x, y, z = (min(extents[i], sum(abs(way[i]) * size for way, size in ways)) for i in range(3))
         extents = (x, y, z)
     across_file = found.outline == "rectangular" and not found.is_open
     is_round = found.outline == "circular" and not found.is_open
