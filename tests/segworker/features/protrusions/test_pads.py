@@ -126,6 +126,27 @@ def test_the_lip_of_an_angle_is_a_ledge_and_what_it_hangs_on_is_none() -> None:
     assert ledges(angle) == [(100, 14, 8)]
 
 
+@pytest.mark.parametrize("thick", [3.0, 15.0])
+def test_the_outline_of_thin_legs_is_no_ledge_and_that_of_thick_ones_is(thick: float) -> None:
+    """A channel whose legs are lower along half of its length."""
+    inner = box((100, 50 - 2 * thick, 40), (0, thick, thick))
+    channel = cut(box((100, 50, 40)), inner, box((60, 50, 20), (40, 0, 25)))
+    assert bool(ledges(channel)) == (thick > 3)
+
+
+def test_the_outline_of_a_gusset_is_no_ledge() -> None:
+    angle = fuse(box((60, 60, 8)), box((60, 8, 60)))
+    outline = [(8, 8), (48, 8), (48, 20), (30, 20), (30, 48), (8, 48)]
+    found = find(fuse(angle, prism([(20, y, z) for y, z in outline], (5, 0, 0))))
+    assert found.of("rib")
+    assert not found.of("elevation")
+
+
+def test_what_stands_on_a_thin_leg_beside_its_rim_is_a_ledge() -> None:
+    angle = profile((0, 0), (60, 0), (60, 4), (4, 4), (4, 40), (0, 40), length=50)
+    assert ledges(fuse(angle, box((12, 50, 6), (48, 0, 4)))) == [(50, 12, 6)]
+
+
 def test_a_drafted_tongue_is_a_pad_with_its_draft() -> None:
     lean = 15 * math.tan(math.radians(5))
     outline = (0, 0), (40, 0), (40, 20), (28, 20), (28 - lean, 35), (12 + lean, 35), (12, 20), (0, 20)

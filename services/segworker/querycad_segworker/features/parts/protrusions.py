@@ -21,11 +21,12 @@ from querycad_segworker.features.shared.part_measures import (
     outlined,
     width_of,
 )
+from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.sheet.hollow_sections import HollowSection
 from querycad_segworker.features.turned.gears import Gear
 from querycad_segworker.features.turned.knurls import Knurl
-from querycad_segworker.tolerances import exceeds, reaches
-from querycad_segworker.topology import Brep
+from querycad_segworker.tolerances import FACING, exceeds, reaches
+from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, scale, sub
 
 from .volumes import Volumes
@@ -33,6 +34,7 @@ from .volumes import Volumes
 HEADS = ("hexagonal", "octagonal")
 """Outlines of heads and nuts, whose height is along their own axis."""
 _MADE_OF_PIECES = (PartKind.WALL, PartKind.GEAR, PartKind.TOOTH, PartKind.PIPE)
+_WALLS = (PartKind.WALL, PartKind.FLOOR, PartKind.RIB)
 _LEAVING = (PartKind.SLOT, PartKind.POCKET, PartKind.NOTCH)
 UNDERCUT = frozenset(("t_slot", "dovetail"))
 """Slots that are wider below their mouth."""
@@ -83,8 +85,8 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
     """Ledges as elevations, numbered after those among `parts`; none that is a wall, rib or other part already.
 
     What has no face but those of one cut is what the cut leaves: the shaft beyond a keyway, the lip of a T slot. So is
-    what rises only from the walls of slots narrower than itself, or undercut ones. A ledge is as thick as the lesser
-    side of its foot.
+    what rises only from the walls of slots narrower than itself, or undercut ones, and what rises along the rims of
+    thin walls: their outline. A ledge is as thick as the lesser side of its foot.
     """
     standing = [part for part in parts if part.kind.stands_out or part.kind in _MADE_OF_PIECES]
     number = sum(part.kind is PartKind.ELEVATION for part in parts)
@@ -93,8 +95,12 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
     for part in parts:
         for face in part.faces if part.kind in _LEAVING else ():
             leaving[face].append(part)
+    rims = {face for part in parts if "planar" in part.tags and part.kind in _WALLS for face in _rims(brep, part)}
     found: list[Part] = []
     for ledge in ledges:
+        if ledge.feet and rims.issuperset(ledge.feet):
+            refuse("elevation", ledge.faces, "it is the outline of thin walls")
+            continue
         if any(cut.issuperset(ledge.faces) for cut in cuts) or _is_left_by_slots(ledge, leaving):
             continue
         whole, largest = faces_area(brep, ledge.faces), max(ledge.faces, key=lambda face: brep.faces[face].area)
@@ -105,6 +111,17 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
         part = protrusion_part(brep, ledge, number + len(found) + 1, volumes, PartKind.ELEVATION)
         found.append(part.model_copy(update={"tags": (*part.tags, "ledge"), "thickness": ledge.width}))
     return found
+
+
+def _rims(brep: Brep, wall: Part) -> set[int]:
+    """The faces between the two sides of a flat wall, along its border, where it is thin."""
+    normal = wall.normal
+    if normal is None or reaches(wall.thickness or 0.0, PLATE_RATIO * (wall.width or 0.0)):
+        return set()
+    sides = ({i for i in wall.faces if sign * dot(brep.faces[i].axis, normal) > FACING.alike} for sign in (1.0, -1.0))
+    one, other = ({i for face in side for i in brep.beside(face, EdgeConvexity.CONVEX)} for side in sides)
+    own = {i for i in wall.faces if abs(dot(brep.faces[i].facing, normal)) < UPRIGHT}  # of a gusset
+    return one & other | own
 
 
 def _is_left_by_slots(ledge: Protrusion, leaving: Mapping[int, Sequence[Part]]) -> bool:
