@@ -247,3 +247,29 @@ def test_the_drum_of_a_spool_is_a_step_between_flanges_and_the_bottom_of_a_seal_
     assert ["flange" in found[size].tags for size in (190, 200)] == [True, True]
     piston = fuse(cylinder(17.5, 14), cylinder(20, 3), cylinder(20, 3, (0, 0, 11)))
     assert only_boss(piston).diameter == pytest.approx(40 * MM)
+
+
+def test_the_round_of_a_wider_step_does_not_lengthen_the_narrower_one_and_a_flare_at_the_foot_does() -> None:
+    stepped = fuse(cylinder(15, 5), cylinder(10, 40))
+    rounded = find(filleted(stepped, 2, *rims(stepped, 15, 5))).of("boss")
+    assert sorted((boss.diameter, boss.height) for boss in rounded) == [near(20, 35), near(30, 5)]
+    shoulder = fuse(cylinder(15, 5), cone(15, 10, 5, (0, 0, 5)), cylinder(10, 40))
+    assert sorted((boss.diameter, boss.height) for boss in find(shoulder).of("boss")) == [near(20, 30), near(30, 10)]
+    flare = fuse(plate(), cone(12, 10, 2), cylinder(10, 30))
+    assert [only_boss(flare).diameter, only_boss(flare).height] == near(20, 30)
+
+
+def test_a_disc_with_draft_on_both_sides_of_its_parting_line_is_one_step_and_a_double_bevel_is_none() -> None:
+    disc = fuse(cone(39.5, 40, 10), cone(40, 39.5, 10, (0, 0, 10)))
+    assert [only_boss(disc).diameter, only_boss(disc).height] == near(80, 20)
+    double = fuse(cone(37, 40, 2), cone(40, 38, 2, (0, 0, 2)))
+    assert [boss.height for boss in find(double).of("boss")] == near(2, 2)
+
+
+def test_a_chamfer_breaks_the_edge_of_a_hub_with_draft_and_an_end_face_with_draft_is_no_step() -> None:
+    hub = fuse(plate(), cone(15, 14.5, 10), cone(14.5, 13.5, 1, (0, 0, 10)))
+    assert [only_boss(hub).height] == near(11)
+    assert find(hub).of("chamfer")
+    crowned = find(fuse(plate(), cylinder(15, 10), cone(15, 5, 0.5, (0, 0, 10))))
+    assert [boss.height for boss in crowned.of("boss")] == near(10.5)
+    assert not crowned.of("chamfer")

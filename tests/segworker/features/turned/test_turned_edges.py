@@ -94,3 +94,10 @@ def test_the_washer_face_under_a_hexagon_belongs_to_the_head() -> None:
     assert face.diameter == pytest.approx(14.4 * MM)
     assert set(face.faces) <= set(head.faces)
     assert "screw" in found.of("body")[0].tags
+
+
+def test_a_round_step_between_a_round_head_and_its_shank_is_no_washer_face() -> None:
+    screw = fuse(cylinder(8, 6.4, (0, 0, 0.6)), cylinder(6.2, 0.6), cylinder(5, 40, along=DOWN))
+    tags = {tag for part in find(screw).parts for tag in part.tags}
+    assert "washer_face" not in tags
+    assert {"head", "shank"} <= tags

@@ -171,7 +171,7 @@ def _screw_measures(
 def _washer_face(members: Sequence[Part], head: Part, shank: Part) -> Part | None:
     """The low round step between a hexagon and its shank (ISO 4014), which belongs to the head."""
     assert shank.axis is not None
-    for step in members:
+    for step in members if head.kind == "prism" else ():
         if step.kind != "boss" or step.id in (head.id, shank.id) or not step.height or not shank.radius:
             continue
         between = dot(sub(step.center, head.center), sub(shank.center, step.center)) > 0

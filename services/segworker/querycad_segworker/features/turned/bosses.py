@@ -25,6 +25,7 @@ from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import parallel, points_up, scale
 
 from .necks import is_flank, is_neck
+from .step_bores import Bore, bore_in, hole_in, length_bored
 
 WIDER = 1.05
 """A chamfer begins about as wide as the cylinder that it is on."""
@@ -35,9 +36,6 @@ TUBE_RATIO = 0.5
 HOLLOW = 0.5
 """A tube is bored along more than this share of its height: it may be closed at one end; a shaft with a hole in its end
 is none."""
-
-EVEN = 0.1
-"""The wall of a hollow cone is as thick at both ends, but for this share; else it tapers, and has no one thickness."""
 
 BREAK = 0.2
 """The chamfer of an edge is lower than this share of the radius."""
@@ -85,9 +83,6 @@ class Boss:
     """All free ends of its axis, where they are more than `tip`."""
     is_broken_edge: bool = False
     """It is a cone that breaks the corners of a nut, head or other prism: as a part, that is a chamfer and no boss."""
-
-
-_CYLINDRICAL = (SectionKind.BORE, SectionKind.SEAT, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
 
 
 def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], tolerances: Tolerances) -> list[Boss]:
@@ -167,8 +162,10 @@ def _steps(stack: Stack, tolerances: Tolerances) -> list[tuple[Wall, ...]]:
             if wall.kind is SurfaceKind.CONE:
                 refuse("boss", wall.faces, "a cone this low breaks the edge of the cylinder beside it")
             continue
+        near = 3 * tolerances.length
         alike = bool(steps) and SurfaceKind.CYLINDER is wall.kind is steps[-1][-1].kind
-        if alike and grooved and abs(steps[-1][-1].radius - wall.radius) <= 3 * tolerances.length:
+        over_groove = alike and grooved and abs(steps[-1][-1].radius - wall.radius) <= near
+        if over_groove or (steps and _part_at_their_middle(stack.axis, steps[-1][-1], wall, near)):
             steps[-1].append(wall)
         else:
             steps.append([wall])
@@ -176,10 +173,28 @@ def _steps(stack: Stack, tolerances: Tolerances) -> list[tuple[Wall, ...]]:
     return [tuple(step) for step in steps]
 
 
+def _part_at_their_middle(axis: Axis, low: Wall, high: Wall, near: float) -> bool:
+    """Are they the two halves of one step with draft, which narrow away from the parting line where they meet?"""
+    if not (low.kind is high.kind is SurfaceKind.CONE and _is_cylindrical(low) and _is_cylindrical(high)):
+        return False
+    radius = radius_at(axis, low, True)
+    narrow = radius_at(axis, low, False) < radius > radius_at(axis, high, True)
+    meet = abs(wall_range(axis, low)[1] - wall_range(axis, high)[0]) <= near
+    return narrow and meet and abs(radius - radius_at(axis, high, False)) <= near
+
+
 def _is_step(wall: Wall, stack: Stack) -> bool:
-    """A cylinder is; a cone is unless it merely breaks the edge of a cylinder next to it, or cuts its corner."""
+    """A cylinder is; a cone is unless it merely breaks the edge of a cylinder next to it, or cuts its corner.
+
+    One that narrows on from another cone and leans more breaks the edge of that; one almost square to the axis is an
+    end face with draft.
+    """
     if wall.kind is SurfaceKind.CYLINDER:
         return True
+    if wall.kind is not SurfaceKind.CONE or _is_end_face(wall):
+        return False
+    if any(_breaks_cone(stack.axis, wall, other) for other in stack.walls):
+        return False
     cylinders = [w for w in stack.walls if w.kind is SurfaceKind.CYLINDER]
     low, high = wall_range(stack.axis, wall)
     near = 0.01 * wall.height
@@ -189,7 +204,19 @@ def _is_step(wall: Wall, stack: Stack) -> bool:
         c for c in slim for a, b in (wall_range(stack.axis, c),) if abs(a - high) <= near or abs(b - low) <= near
     ]
     beside = touching or slim  # over a rounding nothing touches
-    return wall.kind is SurfaceKind.CONE and all(wall.height > 0.5 * c.radius for c in beside)
+    return all(wall.height > 0.5 * c.radius for c in beside)
+
+
+def _breaks_cone(axis: Axis, wall: Wall, other: Wall) -> bool:
+    """Is it the chamfer at the narrow end of another cone: low, and leaning more?"""
+    if other.kind is not SurfaceKind.CONE or wall.height >= min(BREAK * other.radius, other.height):
+        return False
+    near = 0.01 * wall.height
+    at_high = radius_at(axis, other, True) < radius_at(axis, other, False)
+    end, begins = wall_range(axis, other)[at_high], wall_range(axis, wall)[not at_high]
+    radius = radius_at(axis, wall, not at_high)
+    meet = abs(end - begins) <= near and abs(radius_at(axis, other, at_high) - radius) <= near
+    return meet and radius_at(axis, wall, at_high) < radius and _lean(wall) > _lean(other)
 
 
 def _boss(
@@ -216,22 +243,23 @@ def _boss(
             at_high = abs(a - high) <= near
             own_end = radius_at(axis, step[-1] if at_high else step[0], at_high)
             begins = radius_at(axis, other, not at_high)
-            if not begins / WIDER <= own_end <= begins * WIDER:
+            if not begins / WIDER <= own_end <= begins * WIDER or _breaks_wider(axis, steps, other, at_high, near):
                 continue  # it breaks the edge of the wider step that this one stands on
             low, high = (low, b) if at_high else (a, high)
             faces.update(other.faces)
-            if other.kind is SurfaceKind.CONE:
+            if other.kind is SurfaceKind.CONE and not _is_end_face(other):
                 breaks.append(_break(axis, other, at_high))
-    low, high = _rounded(brep, axis, own, low, high, tolerances)
+    of_others = {face for members in steps for part in members for face in part.faces} - own
+    low, high = _rounded(brep, axis, own, of_others, low, high, tolerances)
     low, high = _domed(brep, stack, low, high, faces)
     tip, base = (axis.at(high), axis.at(low)) if tip_high else (axis.at(low), axis.at(high))
     for end in (tip, base) if stack.open_both else (tip,):
         end_face = _end_face(brep, axis, wall, axis.position(end), stack)
         if end_face is not None:
             faces.add(end_face)
-    hole = _hole_in(holes, axis, wall, tip, base)
-    bore = None if hole is None else _bore(holes[hole], axis, wall, low, high)
-    bored = 0.0 if hole is None else _bored(holes[hole], axis, low, high)
+    hole = hole_in(holes, axis, wall, tip, base)
+    bore = None if hole is None else bore_in(holes[hole], axis, wall, low, high)
+    bored = 0.0 if hole is None else length_bored(holes[hole], axis, low, high)
     if stack.open_both and high - low > SLENDER * 2 * wall.radius and bored <= HOLLOW * (high - low):
         bore = None  # a centre hole in its end makes no shaft hollow
     tags = _tags(stack, steps, step, high - low, bore, bored, on_both=is_clasped(brep, axis, own))
@@ -255,6 +283,16 @@ def _boss(
     )
 
 
+def _breaks_wider(axis: Axis, steps: Sequence[tuple[Wall, ...]], other: Wall, at_high: bool, near: float) -> bool:
+    """Does a chamfer or rounding widen away from this step, up to the wall of another one that begins there?"""
+    end, far = wall_range(axis, other)[at_high], radius_at(axis, other, at_high)
+    return far > radius_at(axis, other, not at_high) + near and any(
+        abs(wall_range(axis, wall)[not at_high] - end) <= near and abs(radius_at(axis, wall, not at_high) - far) <= near
+        for step in steps
+        for wall in step
+    )
+
+
 def _lean(wall: Wall) -> float:
     """The angle between a wall and its axis, radians."""
     return math.atan2(abs(wall.radius_high - wall.radius_low), wall.height)
@@ -270,7 +308,7 @@ def _tags(
     steps: Sequence[tuple[Wall, ...]],
     step: tuple[Wall, ...],
     height: float,
-    bore: _Bore | None,
+    bore: Bore | None,
     bored: float,
     *,
     on_both: bool,
@@ -317,11 +355,19 @@ def _tags(
     return tuple(tags)
 
 
+def _is_cylindrical(wall: Wall) -> bool:
+    """Is it a cylinder, or a cone that leans no more than a draft?"""
+    return wall.kind is SurfaceKind.CYLINDER or (wall.kind is SurfaceKind.CONE and _lean(wall) <= DRAFT_RAD)
+
+
+def _is_end_face(wall: Wall) -> bool:
+    """Is it a cone so flat that it is the end face of a step, with draft?"""
+    return wall.kind is SurfaceKind.CONE and _lean(wall) >= math.pi / 2 - DRAFT_RAD
+
+
 def _form(wall: Wall) -> tuple[str, ...]:
     """Cylindrical, conical, or with draft both."""
-    if wall.kind is SurfaceKind.CYLINDER:
-        return ("cylindrical",)
-    return ("cylindrical", "conical") if _lean(wall) <= DRAFT_RAD else ("conical",)
+    return ("cylindrical",) * _is_cylindrical(wall) + ("conical",) * (wall.kind is not SurfaceKind.CYLINDER)
 
 
 def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:
@@ -340,9 +386,18 @@ def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:
 
 
 def _rounded(
-    brep: Brep, axis: Axis, own: Collection[int], low: float, high: float, tolerances: Tolerances
+    brep: Brep,
+    axis: Axis,
+    own: Collection[int],
+    of_others: Collection[int],
+    low: float,
+    high: float,
+    tolerances: Tolerances,
 ) -> tuple[float, float]:
-    """The step's range up to the planes that its fillet at the foot and its rounded or chamfered rim run into."""
+    """The step's range up to the planes that its fillet at the foot and its rounded or chamfered rim run into.
+
+    `own` are its faces, `of_others` those of the other steps of its stack, which break no edge of it.
+    """
     near = 3 * tolerances.length
     for face in own:
         for other in roundings_beside(brep, face):
@@ -357,7 +412,7 @@ def _rounded(
                 low = min(ends)
             elif max(ends) > high + near and abs(min(ends) - high) <= near and abs(middle - high) <= beside:
                 high = max(ends)
-        for other in {beside for _, beside in brep.neighbours(face)}:
+        for other in {beside for _, beside in brep.neighbours(face)}.difference(of_others):
             cone = brep.faces[other]
             if cone.kind is SurfaceKind.CONE and cone.outward > 0 and axis.same_line(Axis.of(cone), tolerances):
                 mids = [brep.edges[e].mid for e in brep.face_edges[other]]
@@ -387,54 +442,6 @@ def _domed(brep: Brep, stack: Stack, low: float, high: float, faces: set[int]) -
     return low, high
 
 
-def _bored(hole: Hole, axis: Axis, low: float, high: float) -> float:
-    """Along how much of the step between `low` and `high` does the hole run? Metres."""
-    reach = [axis.position(end) for section in hole.sections for end in (section.start, section.end)]
-    return min(max(reach), high) - max(min(reach), low)
-
-
-@dataclass(frozen=True, slots=True)
-class _Bore:
-    """A bore where it runs through a step. Metres; `lean` in radians between its wall and its axis."""
-
-    radius: float
-    wall: float | None
-    lean: float
-
-
-def _bore(hole: Hole, axis: Axis, step: Wall, low: float, high: float) -> _Bore:
-    """What is the hole where most of it runs through the step between `low` and `high`?
-
-    A tapered section counts where it runs through more than half of the step, with its radius at the wide end.
-    """
-    best, widest = _Bore(hole.radius, step.radius - hole.radius, 0.0), 0.0
-    for section in hole.sections:
-        ends = axis.position(section.start), axis.position(section.end)
-        a, b = max(min(ends), low), min(max(ends), high)
-        if section.kind not in _CYLINDRICAL or b - a <= widest * 1.001:
-            continue
-        if section.radius == section.end_radius:
-            best, widest = _Bore(section.radius, step.radius - section.radius, 0.0), b - a
-        elif b - a > 0.5 * (high - low):
-            best, widest = _tapered_bore(section, axis, step, (a, b)), b - a
-    return best
-
-
-def _tapered_bore(section: Section, axis: Axis, step: Wall, between: tuple[float, float]) -> _Bore:
-    """The bore with a conical wall that runs through a step between these two positions on the axis."""
-    from_, to = axis.position(section.start), axis.position(section.end)
-    slope = (section.end_radius - section.radius) / (to - from_)
-    low, high = wall_range(axis, step)
-    outer = radius_at(axis, step, False), radius_at(axis, step, True)
-    inner = [section.radius + slope * (at - from_) for at in between]
-    walls = [
-        outer[0] + (outer[1] - outer[0]) * (at - low) / (high - low) - r for at, r in zip(between, inner, strict=True)
-    ]
-    lean = math.atan(abs(slope))
-    even = min(walls) > (1 - EVEN) * max(walls)
-    return _Bore(max(inner), max(walls) * math.cos(lean) if even else None, lean)
-
-
 def _tip_is_high(stack: Stack, wall: Wall) -> bool:
     """Which end is free?
 
@@ -462,19 +469,3 @@ def _end_face(brep: Brep, axis: Axis, wall: Wall, position: float, stack: Stack)
         if near and axis.reach(face.box) <= 1.5 * wall.radius:
             return face_id
     return None
-
-
-def _hole_in(holes: Sequence[Hole], axis: Axis, wall: Wall, tip: Vector, base: Vector) -> int | None:
-    """The widest coaxial hole that opens in the tip or runs through the step: inside a rim, not the bore of its hub."""
-    found: int | None = None
-    for index, hole in enumerate(holes):
-        if hole.body != wall.body or hole.is_ring or not parallel(hole.normal, axis.direction, 1e-2):
-            continue
-        if axis.radius_of(hole.opening) > 0.02 * wall.radius or hole.radius >= wall.radius:
-            continue
-        ends = [axis.position(hole.opening), axis.position(hole.center) * 2 - axis.position(hole.opening)]
-        a, b = sorted((axis.position(tip), axis.position(base)))
-        inside = min(b, max(ends)) - max(a, min(ends)) > 0.25 * (b - a)
-        if inside and (found is None or hole.radius > holes[found].radius):
-            found = index
-    return found
