@@ -273,3 +273,15 @@ def test_a_chamfer_breaks_the_edge_of_a_hub_with_draft_and_an_end_face_with_draf
     crowned = find(fuse(plate(), cylinder(15, 10), cone(15, 5, 0.5, (0, 0, 10))))
     assert [boss.height for boss in crowned.of("boss")] == near(10.5)
     assert not crowned.of("chamfer")
+
+
+def test_between_a_long_cone_and_a_collar_lies_a_step_and_between_short_flanks_a_groove() -> None:
+    spindle = fuse(
+        cylinder(40, 20), cone(40, 20, 40, (0, 0, 20)), cylinder(20, 20, (0, 0, 60)), cylinder(30, 15, (0, 0, 80))
+    )
+    steps = sorted((boss.diameter, boss.height) for boss in find(spindle).of("boss"))
+    assert steps == [near(40, 20), near(60, 15), near(80, 20), near(80, 40)]
+    shaft = fuse(cylinder(25, 20), cone(25, 20, 5, (0, 0, 20)), cylinder(20, 8, (0, 0, 25)))
+    grooved = find(fuse(shaft, cone(20, 25, 5, (0, 0, 33)), cylinder(25, 20, (0, 0, 38))))
+    assert [boss.diameter for boss in grooved.of("boss")] == near(50)
+    assert len(grooved.of("groove")) == 1

@@ -9,14 +9,15 @@ from querycad_segworker.features.shared.walls import Wall
 
 
 def is_neck(wall: Wall, stack: Stack) -> bool:
-    """Is it the bottom of a groove turned into a shaft: shorter than its diameter, between wider walls, or hollow?
+    """Is it the bottom of a groove turned into a shaft: narrower than its diameter, between wider walls, or hollow?
 
+    A groove's width counts with its leaning flanks, as `recognise_turned_grooves` counts it.
     The drum of a spool is none: longer than both flanges together, which are wider by more than flanges are.
     """
     if wall.kind is SurfaceKind.TORUS and wall.outward < 0:
         return True
     low, high = wall_range(stack.axis, wall)
-    if wall.height >= 2 * wall.radius:
+    if wall.height + sum(flank.height for flank in _cones_from(wall, stack)) >= 2 * wall.radius:
         return False
     below = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[1] <= low + 0.01 * wall.height]
     above = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[0] >= high - 0.01 * wall.height]
@@ -27,6 +28,22 @@ def is_neck(wall: Wall, stack: Stack) -> bool:
     if wall.height > sum(w.height for w in beside) and narrower > FLANGE_RATIO * wall.radius:
         return False
     return narrower > 1.001 * wall.radius
+
+
+def _cones_from(wall: Wall, stack: Stack) -> list[Wall]:
+    """The cones that lead from the ends of a wall up to something wider."""
+    near = 0.01 * wall.height
+    found = []
+    for cone in stack.walls:
+        for at_high in (False, True):
+            end, begins = wall_range(stack.axis, wall)[at_high], wall_range(stack.axis, cone)[not at_high]
+            radii = [
+                radius_at(stack.axis, w, high) for w, high in ((wall, at_high), (cone, not at_high), (cone, at_high))
+            ]
+            meet = abs(end - begins) <= near and abs(radii[1] - radii[0]) <= near
+            if cone.kind is SurfaceKind.CONE and meet and radii[2] > radii[1]:
+                found.append(cone)
+    return found
 
 
 def is_flank(wall: Wall, stack: Stack) -> bool:
