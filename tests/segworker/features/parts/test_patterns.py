@@ -103,6 +103,21 @@ def test_holes_without_a_layout_are_no_pattern(spots: list[tuple[float, float]])
     assert find(drilled(plate(), spots)).of("pattern") == []
 
 
+def test_rows_that_stand_apart_are_rows_though_there_are_like_holes_elsewhere() -> None:
+    rows = [(x, -25.0) for x in (-10.0, 0.0, 10.0)] + [(40.0, y) for y in (-3.0, 7.0, 17.0)]
+    found = find(drilled(plate(100, 60, 10), [*rows, (-43.0, 22.0), (13.0, 21.0)]))
+    assert [pattern.count for pattern in found.of("pattern")] == [3, 3]
+    assert [pattern.length for pattern in found.of("pattern")] == pytest.approx([20 * MM] * 2)
+    assert all("row" in pattern.tags for pattern in found.of("pattern"))
+
+
+@pytest.mark.parametrize("aside", [[(-10.0, 6.0), (3.0, 7.0), (14.0, 21.0)], [(20.0, 0.0), (33.0, 0.0), (14.0, 21.0)]])
+def test_three_of_many_that_happen_to_lie_in_a_line_are_no_row(aside: list[tuple[float, float]]) -> None:
+    """Nearer ones lie beside them, or the line goes on unevenly."""
+    found = find(drilled(plate(100, 60, 10), [(-10.0, 0.0), (0.0, 0.0), (10.0, 0.0), *aside]))
+    assert not found.of("pattern")
+
+
 def test_holes_of_different_sizes_are_no_pattern() -> None:
     shape = drilled(drilled(plate(), [(-20.0, 0.0), (0.0, 0.0)]), [(20.0, 0.0)], 3.0)
     assert find(shape).of("pattern") == []

@@ -11,6 +11,7 @@ from enum import StrEnum
 
 from querycad_contracts import Part, Vector
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.topology import linked
 from querycad_segworker.vectors import across, binned, cross, dist, dot, line_key, mean, norm, sub, unit
 
 MIN_MEMBERS = 3
@@ -110,7 +111,8 @@ def _levels(parts: Sequence[Part], indices: Sequence[int]) -> list[list[int]]:
 def _of_level(parts: Sequence[Part], level: Sequence[int], axes: _Axes) -> list[Pattern]:
     """The patterns that like members in one plane form.
 
-    A grid of all; else circles around round features, and of what is left a rectangle, a circle or a row.
+    A grid of all; else circles around round features, and of what is left a rectangle, a circle or a row of all, or
+    rows that stand apart.
     """
     normal = parts[level[0]].normal
     assert normal is not None
@@ -129,7 +131,7 @@ def _of_level(parts: Sequence[Part], level: Sequence[int], axes: _Axes) -> list[
         return found
     around = _circles(points, normal, [mean(list(points.values()))], max(FULL_CIRCLE, len(points)))
     rest = [p for p in (_grid(points, normal), *around, _row(points, normal)) if p is not None]
-    return [*found, *rest[:1]]
+    return [*found, *(rest[:1] or _rows(points, normal))]
 
 
 def _flat(point: Vector, normal: Vector) -> tuple[float, float]:
@@ -214,6 +216,41 @@ def _row(points: dict[int, Vector], normal: Vector) -> Pattern | None:
         return None
     members = tuple(sorted(ids))
     return Pattern(PatternKind.ROW, members, mean([points[i] for i in members]), normal, pitch, None, sum(gaps), None)
+
+
+def _rows(points: dict[int, Vector], normal: Vector) -> list[Pattern]:
+    """Rows that stand apart: each member has its nearest ones in the row, and no other lies on the row's line."""
+    nearest = _nearest(points, normal)
+    pairs = [(i, j) for i, (_, close) in nearest.items() for j in close if i in nearest[j][1]]
+    found = []
+    for members in linked(sorted(points), pairs):
+        row = _row({i: points[i] for i in members}, normal) if len(members) >= MIN_MEMBERS else None
+        if row is None:
+            continue
+        along = unit(sub(points[members[-1]], points[members[0]]))
+        near = NEAR * row.pitch
+        others = (sub(p, row.center) for i, p in points.items() if i not in row.members)
+        if all(norm(cross(other, along)) > near for other in others):
+            found.append(row)
+    return found
+
+
+def _nearest(points: dict[int, Vector], normal: Vector) -> dict[int, tuple[float, list[int]]]:
+    """How far from each point is the nearest one, and which are no farther?"""
+    x, _ = across(normal)
+    order = sorted((dot(p, x), i) for i, p in points.items())
+    found: dict[int, tuple[float, list[int]]] = {}
+    for at, (here, i) in enumerate(order):
+        best, close = math.inf, list[tuple[float, int]]()
+        for side in (reversed(order[:at]), order[at + 1 :]):
+            for there, j in side:
+                if abs(there - here) > best * (1 + NEAR):
+                    break
+                apart = dist(points[i], points[j])
+                best = min(best, apart)
+                close.append((apart, j))
+        found[i] = best, [j for apart, j in close if apart <= best * (1 + NEAR)]
+    return found
 
 
 def _grid(points: dict[int, Vector], normal: Vector) -> Pattern | None:
