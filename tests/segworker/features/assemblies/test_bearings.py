@@ -92,8 +92,19 @@ def test_two_bearings_on_one_shaft_in_a_housing_are_two() -> None:
         [ring(10, 14, 4), ring(20, 24, 12, -4)],
         [cylinder(14, 14), ring(20, 24, 14)],
         [cylinder(10, 30), ring(10.2, 24, 14)],
+        [ring(10, 12, 14), ring(30, 33, 10, 2), *around(cylinder(2, 8, (25, 0, 3)), 6)],
+        [cut(ring(10, 13.5, 14), box((30, 60, 14), (-3, -30, 0))), *roller_bearing()[1:]],
     ],
-    ids=["a fit", "nested tubes", "far apart", "unlike widths", "a disc in a ring", "a ring on a shaft"],
+    ids=[
+        "a fit",
+        "nested tubes",
+        "far apart",
+        "unlike widths",
+        "a disc in a ring",
+        "a ring on a shaft",
+        "pins between rings",
+        "rollers around a C",
+    ],
 )
 def test_what_merely_lies_on_one_axis_is_no_bearing(bodies: list[TopoDS_Shape]) -> None:
     assert find(compound(*bodies)).of("bearing") == []

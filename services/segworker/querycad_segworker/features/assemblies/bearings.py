@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.shared.axes import Axis
+from querycad_segworker.features.shared.axes import ENCLOSES_RAD, Axis
 from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
@@ -29,6 +30,9 @@ RING_WIDTH = 0.6
 """A bearing is narrower than this share of its outer diameter (ISO 15: 0.06 to 0.5); longer ones are nested tubes."""
 MIN_GAP = 0.05
 """Rings without rolling bodies leave at least this share of the bearing's section between them; less is a fit."""
+FILLS = 0.5
+"""Rolling bodies run on both rings: they are thicker than this share of the gap between these, and where the rings have
+raceways, thicker than the gap itself."""
 SAME_SIZE = 0.01
 """Rolling bodies of one bearing agree in size by this share."""
 
@@ -83,7 +87,7 @@ class _Roller:
     body: int
     center: Vector
     size: tuple[float, float]
-    """Radius and area: equal ones are equal bodies, however they lie."""
+    """Widest radius and area: equal ones are equal bodies, however they lie."""
     ball: bool
 
 
@@ -178,17 +182,20 @@ def _pair_alone(brep: Brep, first: _Ring, second: _Ring) -> bool:
 
 
 def _between(first: _Ring, second: _Ring, rollers: Sequence[_Roller], *, axial: bool) -> list[_Roller]:
-    """The rolling bodies of one size in the space between two rings."""
+    """The rolling bodies of one size in the space between two rings, which fill the gap of a radial bearing."""
     if axial:
         near, far = max(first.inner, second.inner), min(first.outer, second.outer)
         low, high = sorted((first.middle, second.middle))
     else:
         near, far = (first.inner + first.outer) / 2, (second.inner + second.outer) / 2
         low, high = min(first.low, second.low), max(first.high, second.high)
+    thin = 0.0 if axial else FILLS * (second.inner - first.outer) / 2
     inside = [
         roller
         for roller in rollers
-        if near <= first.axis.radius_of(roller.center) <= far and low <= first.axis.position(roller.center) <= high
+        if roller.size[0] >= thin
+        and near <= first.axis.radius_of(roller.center) <= far
+        and low <= first.axis.position(roller.center) <= high
     ]
     sizes: list[list[_Roller]] = []
     for roller in inside:
@@ -245,7 +252,7 @@ def _by_axis(rings: Sequence[_Ring], tolerances: Tolerances) -> list[list[_Ring]
 
 
 def _ring(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> _Ring | None:
-    """The body as a ring: all of it turns about one axis, and a concave wall leaves that axis free."""
+    """The body as a ring: all of it turns about one axis, and a concave wall around that leaves it free."""
     faces = [brep.faces[f] for f in record.faces]
     lead = max((f for f in faces if f.kind in REVOLVED), key=lambda f: f.area, default=None)
     if lead is None or not any(f.outward < 0 for f in faces):
@@ -259,11 +266,18 @@ def _ring(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> _Ring | Non
     points = face_points(brep, (f.id for f in own))
     ends = [axis.position(p) for p in points]
     covers = [axis.position(p) for p in rims]
-    if not rims or max(covers) - min(covers) < 0.5 * (max(ends) - min(ends)):
+    if not rims or max(covers) - min(covers) < 0.5 * (max(ends) - min(ends)) or not _go_around(axis, rims):
         return None
     inner, outer = min(axis.radius_of(p) for p in rims), max(axis.radius_of(p) for p in points)
     hollow = inner > 10 * tolerances.length and not any(_closes(brep, f, axis) for f in own)
     return _Ring(record.id, axis, inner, outer, min(ends), max(ends)) if hollow else None
+
+
+def _go_around(axis: Axis, points: Sequence[Vector]) -> bool:
+    """Do points lie around the axis, with no opening between them as wide as that of a C, which holds no shaft?"""
+    angles = sorted(axis.angle_of(p) for p in points)
+    gaps = [b - a for a, b in itertools.pairwise([*angles, angles[0] + 2 * math.pi])]
+    return max(gaps) < 2 * math.pi - ENCLOSES_RAD
 
 
 def _closes(brep: Brep, face: FaceRecord, axis: Axis) -> bool:
@@ -295,7 +309,8 @@ def _roller(brep: Brep, record: BodyRecord, center: Vector) -> _Roller | None:
     axis = Axis.of(lead)
     if not ball and sum(f.area for f in faces if f.kind is SurfaceKind.PLANE or _coaxial(f, axis)) < 0.99 * record.area:
         return None
-    return _Roller(record.id, lead.origin if ball else center, (lead.radius, record.area), ball)
+    radius = lead.radius if ball else max(map(axis.radius_of, face_points(brep, record.faces)), default=lead.radius)
+    return _Roller(record.id, lead.origin if ball else center, (radius, record.area), ball)
 
 
 def _coaxial(face: FaceRecord, axis: Axis) -> bool:
