@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.segworker.shapes import DOWN, box, cone, cut, cylinder, find, fuse, plate, scaled, turned
+from tests.segworker.shapes import DOWN, box, cone, cut, cylinder, find, fuse, plate, prism, scaled, turned
 
 MM = 1e-3
 
@@ -78,3 +78,17 @@ def test_beside_a_counterbore_is_the_outer_wall_and_not_the_broken_edge_at_its_m
     assert step.wall_distance == pytest.approx(19 * MM)
     (blind,) = find(cut(plate(60, 40, 20), cylinder(4, 12, along=DOWN))).of("hole")
     assert blind.wall_distance == pytest.approx(16 * MM)
+
+
+@pytest.mark.parametrize("leans", [True, False])
+def test_below_the_slot_of_a_screw_is_what_is_left_down_to_its_tip(leans: bool) -> None:
+    head = cone(5, 10, 5, (0, 0, -5)) if leans else cylinder(10, 5, (0, 0, -5))
+    screw = cut(fuse(head, cylinder(5, 30, along=DOWN)), box((40, 2.5, 3), (-20, -1.25, -3)))
+    (slot,) = find(screw).of("slot")
+    assert slot.bottom_thickness == pytest.approx((27 if leans else 2) * MM)
+
+
+def test_below_a_pocket_over_a_sloping_underside_the_thinnest_place_counts() -> None:
+    block = cut(plate(60, 40, 20), prism([(-30, -20, -20), (30, -20, -20), (30, -20, -14)], (0, 40, 0)))
+    (pocket,) = find(cut(block, box((20, 20, 5), (-10, -10, -5)))).of("pocket")
+    assert 11 * MM < (pocket.bottom_thickness or 0.0) < 12 * MM

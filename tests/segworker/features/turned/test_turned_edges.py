@@ -101,3 +101,11 @@ def test_a_round_step_between_a_round_head_and_its_shank_is_no_washer_face() -> 
     tags = {tag for part in find(screw).parts for tag in part.tags}
     assert "washer_face" not in tags
     assert {"head", "shank"} <= tags
+
+
+def test_a_flat_on_a_shaft_meets_it_along_both_sides_and_the_step_of_a_snail_along_one() -> None:
+    shaft = cylinder(5, 30)
+    (flattened,) = find(cut(shaft, box((10, 20, 10), (4, -10, 0)))).of("boss")
+    assert flattened.across_flats == pytest.approx(9 * MM)
+    snail = cut(box((20, 20, 10), (-10, 0.5, 0)), cylinder(5, 10, (-0.5, 0, 0)))
+    assert all(boss.across_flats is None for boss in find(cut(shaft, snail)).of("boss"))

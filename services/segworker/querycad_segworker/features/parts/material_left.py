@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.shared.clearance import Ahead
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.topology import Brep, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
+from querycad_segworker.vectors import dot
 
 Reals = NDArray[np.float64]
 Ids = NDArray[np.int64]
@@ -99,7 +100,10 @@ def _least(owners: Ids, distances: Reals, counts: NDArray[np.bool_]) -> dict[int
 
 
 def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict[int, float]:
-    """By index of what has a bottom: from all over it away from the opening; from the tip of a drill point, too."""
+    """By index of what has a bottom: from all over it away from the opening; from the tip of a drill point, too.
+
+    Where an open end of the bottom runs out in a face that leans under it, nothing is left, and the bottom ends before.
+    """
     blind = (Bottom.FLAT, Bottom.CONICAL, Bottom.SPHERICAL)
     wanted = [
         i
@@ -113,6 +117,7 @@ def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict
     starts: list[Reals] = []
     owners: list[int] = []
     floors: dict[int, list[int]] = defaultdict(list)
+    ends: dict[int, set[int]] = defaultdict(set)
     for i in wanted:
         for face in (faces.records[f] for f in _with_floor(parts[i], brep)):
             points = _bottom_points(parts[i], face, mesh, order[first[face.id] : first[face.id + 1]])
@@ -120,8 +125,9 @@ def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict
             owners += [i] * len(points)
             if _looks(face, parts[i].normal):
                 floors[face.id].append(i)
-    rays = _Rays.of(parts, faces, np.array(owners, dtype=np.int64), np.concatenate([np.zeros((0, 3)), *starts]))
-    more = _Rays.of(parts, faces, *_nearest(parts, faces, floors, rays))
+                ends[i].update(_lean_under(face, brep))
+    rays = _Rays.of(parts, faces, ends, np.array(owners, dtype=np.int64), np.concatenate([np.zeros((0, 3)), *starts]))
+    more = _Rays.of(parts, faces, ends, *_nearest(parts, faces, floors, rays))
     # What is small behind a wide bottom, as the tip of a drill, is met from there.
     back = [
         (i, rays.distances[ray])
@@ -136,7 +142,10 @@ def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Rays:
-    """From bottoms into the material, against the normals of their parts. `leaves`: out of it, not back to the part."""
+    """From bottoms into the material, against the normals of their parts.
+
+    `leaves`: out of it, not back to the part, nor through a face at which its bottom runs out.
+    """
 
     owners: Ids
     starts: Reals
@@ -146,11 +155,14 @@ class _Rays:
     leaves: NDArray[np.bool_]
 
     @classmethod
-    def of(cls, parts: Sequence[Part], faces: _Faces, owners: Ids, starts: Reals) -> _Rays:
-        """Those from these starts, (N, 3)."""
+    def of(
+        cls, parts: Sequence[Part], faces: _Faces, ends: Mapping[int, Collection[int]], owners: Ids, starts: Reals
+    ) -> _Rays:
+        """Those from these starts, (N, 3). `ends`: the faces at which the bottom of a part runs out."""
         ways = -np.array([parts[i].normal for i in owners], dtype=np.float64).reshape(-1, 3)
         distances, ids = faces.met(starts, ways)
-        own = np.array([f in parts[i].faces for i, f in zip(owners, ids.tolist(), strict=True)], dtype=np.bool_)
+        pairs = zip(owners.tolist(), ids.tolist(), strict=True)
+        own = np.array([f in parts[i].faces or f in ends.get(i, ()) for i, f in pairs], dtype=np.bool_)
         return cls(owners, starts, ways, distances, ids, (ids >= 0) & ~own)
 
 
@@ -179,6 +191,20 @@ def _nearest(
     on_floor = [owner in floors.get(face, ()) for owner, face in zip(owners.tolist(), ids.tolist(), strict=True)]
     chosen = np.array(on_floor, dtype=np.bool_) & (np.abs(depths - lifts) < LEVEL_M)
     return owners[chosen], points[chosen]
+
+
+def _lean_under(floor: FaceRecord, brep: Brep) -> set[int]:
+    """Which planes, and cones about its normal, meet a plane bottom in convex edges?
+
+    A straight way down from the bottom leaves through them only where they lean under it.
+    """
+    beside = (brep.faces[other] for other in brep.beside(floor.id, EdgeConvexity.CONVEX))
+    return {
+        face.id
+        for face in beside
+        if face.kind is SurfaceKind.PLANE
+        or (face.kind is SurfaceKind.CONE and abs(dot(face.axis, floor.axis)) > FACES_UP)
+    }
 
 
 def _looks(face: FaceRecord, towards: Vector | None) -> bool:

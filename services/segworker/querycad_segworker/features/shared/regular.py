@@ -169,8 +169,10 @@ def _sharp(wall: FaceRecord) -> EdgeConvexity:
 def depth_of_flat(brep: Brep, face: FaceRecord) -> float | None:
     """How deep does a flat cut into a round shaft, or stand into a D-shaped bore, in metres? None where it is no flat.
 
-    It is a plane along the axis that meets most of a cylinder in sharp edges, between that and the axis.
+    It is a plane along the axis that meets most of a cylinder in two sharp edges, between that and the axis: the end of
+    a thread, square to its flanks, meets it in one.
     """
+    met: list[FaceRecord] = []
     for edge, other in brep.neighbours(face.id):
         wall = brep.faces[other]
         round_wall = wall.kind is SurfaceKind.CYLINDER and edge.kind is EdgeKind.LINE
@@ -179,6 +181,9 @@ def depth_of_flat(brep: Brep, face: FaceRecord) -> float | None:
             continue
         reach = wall.outward * dot(sub(face.point, wall.origin), face.axis)
         if not 0 < reach < CUT_IN * wall.radius:
+            continue
+        met.append(wall)
+        if sum(same_cylinder(wall, piece) for piece in met) < 2:
             continue
         own = brep.of_kind(SurfaceKind.CYLINDER, brep.bodies[wall.body].faces)
         if sum(piece.sweep for piece in own if same_cylinder(wall, piece)) > math.pi:
