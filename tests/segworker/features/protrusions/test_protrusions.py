@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.segworker.shapes import box, cut, cylinder, find, fuse, plate, prism
+from tests.segworker.shapes import box, cut, cylinder, find, fuse, plate, prism, turned
 
 
 def test_a_block_is_as_high_as_its_own_top_and_a_block_with_a_step_as_its_highest() -> None:
@@ -35,3 +35,27 @@ def test_a_long_low_ridge_is_a_rib_also_between_ramps_and_a_strip_and_a_short_pa
 def test_the_edge_of_a_plate_that_stands_out_a_little_is_no_low_rib() -> None:
     upright = box((19, 64, 152), (0, -32, -152))
     assert not find(fuse(upright, box((120, 40, 19), (0, -20, -152)), box((30, 40, 19), (-30, -20, -80)))).of("rib")
+
+
+def test_each_of_several_ribs_level_with_the_rim_is_one_and_a_lone_divider_too() -> None:
+    for ends in ((-25, -21, -2, 2, 21, 25), (-25, -21)):
+        starts = (-46, *ends[1::2])
+        rooms = [box((x1 - x0, 52, 17), (x0, -26, -17)) for x0, x1 in zip(starts, (*ends[::2], 46), strict=True)]
+        tray = find(cut(plate(100, 60, 20), *rooms))
+        ribs = tray.of("rib")
+        assert len([wall for wall in tray.of("wall") if "between" in wall.tags]) == len(ribs)
+        assert not [rib for rib in ribs if "fin" in rib.tags]  # those stand free
+        middles = [(a + b) / 2000 for a, b in zip(ends[::2], ends[1::2], strict=True)]
+        assert sorted(rib.center[0] for rib in ribs) == pytest.approx(middles)
+        assert [(rib.thickness, rib.height) for rib in ribs] == [pytest.approx((0.004, 0.017))] * len(middles)
+
+
+def test_ribs_between_hub_and_rim_in_a_pocket_are_no_spokes_and_webs_over_openings_are_no_ribs() -> None:
+    ribs = [turned(box((60, 4, 8), (0, -2, 0)), (0, 0, 1), way) for way in (0, 60, 120, 180, 240, 300)]
+    wheel = fuse(cut(cylinder(70, 18), cylinder(60, 8)), cylinder(15, 8), *ribs)
+    found = find(wheel)
+    assert [(rib.thickness, rib.height) for rib in found.of("rib")] == [pytest.approx((0.004, 0.008))] * 6
+    assert not [part for part in found.parts if "spoke" in part.tags]
+    open_ = find(cut(wheel, cut(cylinder(60, 18, (0, 0, 8)), cylinder(15, 18, (0, 0, 8)))))
+    assert len([part for part in open_.parts if "spoke" in part.tags]) == 6
+    assert not open_.of("rib")

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Sequence, Set
 from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
@@ -11,7 +12,7 @@ from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import add, cross, dot, parallel, scale, sub, unit
+from querycad_segworker.vectors import add, cross, dist, dot, parallel, scale, sub, unit
 
 from .protrusions import RIB_RATIO
 
@@ -33,6 +34,8 @@ FOOTED = 0.5
 OWN = 1.5
 """The flanks of a low rib are its own: no larger than so many times its height by its length. The large faces of a
 plate that stands out a little at its edge are not."""
+ALIKE = 0.3
+"""Of two sides of a rib, the shorter one meets the top along more than this share of the longer one."""
 FINS = 3
 """So many ribs alike, side by side, are fins."""
 
@@ -86,9 +89,9 @@ def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float, *, round_t
     for top in tops:
         sides = _sides(brep, top)
         footed = {face.id for _, face in sides if _feet(brep, face, top)}
-        if (flanks := _opposed(sides, footed, 2)) is not None:
-            standing.append(_rib(brep, top, flanks, {flanks[0].id, flanks[1].id}, ratio))
-        elif (flanks := _opposed(sides, footed, 1)) is not None:
+        pairs = _pairs(sides, footed)
+        standing += [_rib(brep, top, pair, {pair[0].id, pair[1].id}, ratio) for pair in pairs]
+        if not pairs and (flanks := _flush_pair(sides, footed)) is not None:
             flush.append(_rib(brep, top, flanks, {f.id for f in flanks if f.id in footed}, ratio))
     ribs = _widest_tops(brep, [rib for rib in standing if rib is not None])
     ends = [end for end in flush if end is not None and any(_same_row(brep, end, rib, tolerances) for rib in ribs)]
@@ -207,21 +210,36 @@ def _sides(brep: Brep, top: FaceRecord) -> list[tuple[EdgeRecord, FaceRecord]]:
     return sorted(sides, key=lambda side: -side[0].length)
 
 
-def _opposed(
-    sides: Sequence[tuple[EdgeRecord, FaceRecord]], standing: set[int], feet: int
+def _pairs(sides: Sequence[tuple[EdgeRecord, FaceRecord]], footed: Set[int]) -> list[tuple[FaceRecord, FaceRecord]]:
+    """The standing sides two by two, each with the nearest one opposite: several ribs may end in one top face."""
+    left = [side for side in sides if side[1].id in footed]
+    pairs = []
+    while left:
+        first, *left = left
+        across = [side for side in left if _are_opposed(first, side)]
+        if across:
+            nearest = min(across, key=lambda side: dist(side[0].mid, first[0].mid))
+            pairs.append((first[1], nearest[1]))
+            left = [side for side in left if side[1].id not in (first[1].id, nearest[1].id)]
+    return pairs
+
+
+def _flush_pair(
+    sides: Sequence[tuple[EdgeRecord, FaceRecord]], footed: Set[int]
 ) -> tuple[FaceRecord, FaceRecord] | None:
-    """The two longest parallel sides that face away from each other, `feet` of them among those standing."""
-    if len(standing) < feet:
-        return None
-    if feet == 2:
-        sides = [side for side in sides if side[1].id in standing]
-    for i, (edge, a) in enumerate(sides):
-        for other_edge, b in sides[i + 1 :]:
-            opposed = dot(a.axis, b.axis) < -FACING.opposed and dot(sub(a.point, b.point), a.axis) > 0
-            alike = other_edge.length > 0.3 * edge.length
-            if a.id != b.id and opposed and alike and len(standing & {a.id, b.id}) == feet:
-                return a, b
+    """The two longest parallel sides that face away from each other, one of them standing."""
+    for i, side in enumerate(sides):
+        for other in sides[i + 1 :]:
+            if len(footed & {side[1].id, other[1].id}) == 1 and _are_opposed(side, other):
+                return side[1], other[1]
     return None
+
+
+def _are_opposed(longer: tuple[EdgeRecord, FaceRecord], other: tuple[EdgeRecord, FaceRecord]) -> bool:
+    """Are these two sides parallel, face away from each other, and are about as long?"""
+    (edge, a), (other_edge, b) = longer, other
+    opposed = dot(a.axis, b.axis) < -FACING.opposed and dot(sub(a.point, b.point), a.axis) > 0
+    return a.id != b.id and opposed and other_edge.length > ALIKE * edge.length
 
 
 def _feet(brep: Brep, flank: FaceRecord, top: FaceRecord) -> list[tuple[float, float]]:
@@ -269,5 +287,10 @@ def _same_row(brep: Brep, a: Rib, b: Rib, tolerances: Tolerances) -> bool:
 
 
 def fins(ribs: Sequence[Rib], tolerances: Tolerances) -> set[int]:
-    """Which ribs (by index) are fins, that is three or more alike that stand parallel in one body?"""
-    return {i for i, a in enumerate(ribs) if sum(_alike(a, b, tolerances) for b in ribs) >= FINS}
+    """Which ribs (by index) are fins, that is three or more alike that stand parallel in one body?
+
+    Each has a top of its own: those that end in one face with others, as level with a rim, are ribs and dividers.
+    """
+    tops = Counter(rib.top for rib in ribs)
+    own = {i: rib for i, rib in enumerate(ribs) if tops[rib.top] == 1}
+    return {i for i, a in own.items() if sum(_alike(a, b, tolerances) for b in own.values()) >= FINS}
