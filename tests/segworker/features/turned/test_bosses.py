@@ -179,6 +179,15 @@ def test_a_neck_that_tapers_from_its_flange_is_a_conical_boss() -> None:
     assert [neck.diameter, neck.height] == near(70, 30)
 
 
+def test_the_short_hub_of_a_welding_neck_flange_is_a_step_and_a_chamfer_as_high_is_none() -> None:
+    hub = fuse(cylinder(100, 22), cone(54.5, 44.5, 21.5, (0, 0, 22)), cylinder(44.5, 12, (0, 0, 43.5)))
+    steps = find(cut(hub, cylinder(39, 60, (0, 0, -1)))).of("boss")
+    assert sorted(step.diameter or 0 for step in steps) == pytest.approx([0.089, 0.109, 0.2])
+    assert min(steps, key=lambda step: step.diameter or 0).height == pytest.approx(0.012)
+    pin = fuse(cylinder(54.5, 22), cone(54.5, 44.5, 21.5, (0, 0, 22)))
+    assert [boss.diameter for boss in find(pin).of("boss")] == pytest.approx([0.109])
+
+
 def test_a_cone_that_eases_the_corner_of_a_shoulder_is_no_boss() -> None:
     shaft = fuse(cylinder(30, 20), cone(15, 12, 3, (0, 0, 20)), cylinder(12, 60, (0, 0, 20)))
     assert sorted(boss.diameter or 0.0 for boss in find(shaft).of("boss")) == near(24, 60)

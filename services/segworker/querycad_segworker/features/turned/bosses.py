@@ -39,6 +39,9 @@ is none."""
 
 BREAK = 0.2
 """The chamfer of an edge is lower than this share of the radius."""
+BROAD, CORNER = 0.5, 1 / 3
+"""A cone higher than this share of the radius of the cylinder it breaks is a step; one in the corner at a cylinder's
+foot from a third on, as the hubs of welding neck flanges are (EN 1092-1): what eases a shoulder is lower."""
 LEANS = 0.5
 """The middle of a fillet on a cone lies within this share of its height from where it begins: walls that lean less than
 some 30 degrees."""
@@ -204,7 +207,11 @@ def _is_step(wall: Wall, stack: Stack) -> bool:
         c for c in slim for a, b in (wall_range(stack.axis, c),) if abs(a - high) <= near or abs(b - low) <= near
     ]
     beside = touching or slim  # over a rounding nothing touches
-    return all(wall.height > 0.5 * c.radius for c in beside)
+    narrow = min(wall.radius_low, wall.radius_high)
+    # A chamfer is narrower than what it breaks. One that only meets a cylinder as narrow fills the corner at its foot.
+    fills = bool(touching) and all(c.radius <= narrow + near for c in touching)
+    least = CORNER if fills else BROAD
+    return all(wall.height > least * c.radius for c in beside)
 
 
 def _breaks_cone(axis: Axis, wall: Wall, other: Wall) -> bool:
