@@ -213,3 +213,15 @@ def test_teeth_on_one_root_cylinder_are_one_gear_and_a_nut_is_none() -> None:
     hexagon = [(14 * math.cos(i * math.pi / 3), 14 * math.sin(i * math.pi / 3)) for i in range(6)]
     nut = fuse(extruded(hexagon, 0, 10), cylinder(16, 3, (0, 0, -3)))
     assert find(cut(nut, cylinder(6, 20, (0, 0, -5)))).of("gear") == []
+
+
+def test_ribs_with_parallel_sides_inside_a_cap_are_ribs_and_the_teeth_of_a_straight_sided_spline_are_a_gear() -> None:
+    cap = cut(cylinder(27, 26), cylinder(24, 23.5))
+    ribs = [turned(box((5, 1.5, 18), (20, -0.75, 6)), (0, 0, 1), i * 45) for i in range(8)]
+    ribbed = find(cut(fuse(cap, *ribs), cylinder(21, 23.5)))
+    assert not ribbed.of("gear")
+    assert [rib.thickness for rib in ribbed.of("rib")] == pytest.approx([1.5 * MM] * 8)
+    grooves = [turned(box((13, 6, 20), (0, -3, 0)), (0, 0, 1), i * 60) for i in range(6)]
+    spline = find(cut(cylinder(25, 20), cylinder(11.5, 20), *grooves))
+    assert [gear.count for gear in spline.of("gear")] == [6]
+    assert not spline.of("rib")

@@ -26,6 +26,8 @@ NEAR_FOOT = 0.02
 """What lies below the foot by less than this share of the rib's height still counts as its foot."""
 HALF_ROUND = math.radians(150.0)
 """The round top of an ear covers at least so much: half a circle, less what its sides lean towards each other."""
+NARROW = math.radians(30.0)
+"""The tip of a rib in a bore covers less than this of it: within its sides, an arc so short bulges by a fifteenth."""
 LOW, LONG = 1 / 3, 5.0
 """What is lower than thick is a rib as long as it is higher than this share of its thickness and so many times longer
 than thick: ribs of moulded parts, and ridges. Lower still are strips and pads."""
@@ -84,6 +86,7 @@ def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float, *, round_t
     """Walls on the material that are longer than thick by this ratio."""
     standing, flush = [], []
     tops = [face for face in brep.faces if face.kind is SurfaceKind.PLANE]
+    tops += [_crown(face) for face in brep.faces if _is_narrow_inside(face)]
     if round_tops:
         tops += [_crown(face) for face in brep.faces if _is_round_top(brep, face)]
     for top in tops:
@@ -98,6 +101,11 @@ def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float, *, round_t
     row = [*ribs, *ends]
     ends = [end for end in ends if sum(_same_row(brep, end, rib, tolerances) for rib in row) >= FINS]
     return sorted([*ribs, *ends], key=lambda rib: rib.faces[0])
+
+
+def _is_narrow_inside(face: FaceRecord) -> bool:
+    """Is it a piece of the inside of a bore so narrow that it is nearly flat: the tip of a rib that stands inwards?"""
+    return face.kind is SurfaceKind.CYLINDER and face.outward < 0 and face.sweep < NARROW
 
 
 def _is_round_top(brep: Brep, face: FaceRecord) -> bool:

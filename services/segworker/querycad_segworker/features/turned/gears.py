@@ -151,8 +151,11 @@ def _gear(brep: Brep, rings: Sequence[Ring], axis: Axis, body: int, tolerances: 
             refuse("gear", ids, f"{teeth} pockets sunk into a face around the axis: flanks rise from their floors")
             return None
         flanks = [face for face in (brep.faces[i] for i in ids) if not _looks_out(face, axis, tolerances)]
-        if tips is max and _are_slots(flanks, axis, max(radii) - min(radii)):
-            refuse("gear", ids, f"{teeth} slots with parallel walls: what is left between them widens outwards")
+        if _are_parallel(flanks, axis, (max(radii) - min(radii)) * (1 if tips is max else -1)):
+            what = "slots with parallel walls: what is left between them widens outwards"
+            refuse(
+                "gear", ids, f"{teeth} {what if tips is max else 'ribs with parallel sides: teeth widen to their root'}"
+            )
             return None
         members = _teeth(chosen, tops, axis)
     else:
@@ -209,10 +212,11 @@ def _without_windows(brep: Brep, rings: Sequence[Ring], axis: Axis) -> list[Ring
     return [(count, ring) for count, ring in rings if not any(face.id in windows for face in ring)]
 
 
-def _are_slots(flanks: Sequence[FaceRecord], axis: Axis, depth: float) -> bool:
-    """Are the largest flanks planes in pairs that face each other in parallel, closer than they are deep?
+def _are_parallel(flanks: Sequence[FaceRecord], axis: Axis, depth: float) -> bool:
+    """Are the largest flanks planes in parallel pairs, closer than they are deep?
 
-    Gaps between teeth widen outwards, or are as wide as they are deep and more.
+    They face each other, or away from each other where `depth` is negative: those of slots, or of ribs. Gaps between
+    teeth widen outwards, or are as wide as they are deep and more, and so are the teeth of internal splines.
     """
     largest = max((face.area for face in flanks), default=0.0)
     flanks = [face for face in flanks if face.area > MAIN_FLANK * largest]
@@ -223,11 +227,12 @@ def _are_slots(flanks: Sequence[FaceRecord], axis: Axis, depth: float) -> bool:
 
 
 def _has_wall_across(face: FaceRecord, planes: Sequence[FaceRecord], depth: float) -> bool:
-    """Is another plane right across from this one, parallel to it and nearer than `depth`?"""
+    """Is another plane right across from this one, parallel to it and nearer than `depth`; behind it if negative?"""
     for other in planes:
         offset = sub(other.point, face.point)
-        gap = dot(offset, face.axis)
-        if dot(face.axis, other.axis) < SQUARE - 1 and 0 < gap < depth and dist(other.point, face.point) < 1.1 * gap:
+        gap = math.copysign(1.0, depth) * dot(offset, face.axis)
+        near = 0 < gap < abs(depth) and dist(other.point, face.point) < 1.1 * gap
+        if near and dot(face.axis, other.axis) < SQUARE - 1:
             return True
     return False
 
