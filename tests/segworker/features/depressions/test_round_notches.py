@@ -7,7 +7,7 @@ import math
 import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import box, cut, cylinder, filleted, find, fuse, plate, upright
+from tests.segworker.shapes import box, cone, cut, cylinder, filleted, find, fuse, plate, upright
 
 MM = 1e-3
 
@@ -43,3 +43,18 @@ def test_a_hole_in_the_bottom_of_a_round_groove_leaves_it_one() -> None:
     groove = cylinder(4, 100, (-50, 0, 0), (1, 0, 0))
     (slot,) = find(cut(plate(), groove, cylinder(1.5, 30, (0, 0, -25)))).of("slot")
     assert [slot.length, slot.width, slot.depth] == near(60, 8, 4)
+
+
+@pytest.mark.parametrize(
+    "body",
+    [cylinder(27, 26), cone(27, 26.2, 26), fuse(cylinder(27, 20), cone(27, 26.5, 6, (0, 0, 20)))],
+    ids=["straight", "with draft", "tapered at its end"],
+)
+def test_flutes_that_end_before_the_end_face_are_slots_and_a_seat_in_an_edge_is_a_step(body: TopoDS_Shape) -> None:
+    spots = [(27.5 * math.cos(i * math.pi / 6), 27.5 * math.sin(i * math.pi / 6)) for i in range(12)]
+    found = find(cut(body, *(cylinder(2, 30, (x, y, 5)) for x, y in spots)))
+    assert [slot.length for slot in found.of("slot")] == near(*[21] * 12)
+    assert not found.of("step")
+    seat = find(cut(plate(), cylinder(8, 3, (0, -20, -3))))
+    assert [step.depth for step in seat.of("step")] == near(3)
+    assert not seat.of("slot")

@@ -260,6 +260,8 @@ def _open_on_floor(
     if any(_are_back_to_back(a, b) for a, b in combinations(feet, 2)):
         refuse("step", group, "its walls look away from each other: they are those of what stands on the floor")
         return None
+    if not plane_walls and len(round_ends) == 1 and frame.size[2] > max(frame.size[:2]):
+        return None  # higher than long: a groove along the wall, and what looks like its floor is its end
     kind = DepressionKind.STEP
     leaning = [wall for wall in plane_walls if dot(wall.axis, floor.axis) > LEANS_BACK]
     if any(sum(_meet(graph.brep, wall, end) for end in round_ends) > 1 for wall in plane_walls):

@@ -13,13 +13,15 @@ from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import Tolerances, exceeds
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import dot, parallel, sub, unit
 
 from .depression import Depression, DepressionKind, depression_in
 
 SWEEP_RAD = (math.radians(45.0), math.radians(275.0))
 """A cylinder sunk in by less than this is a shallow curve; of one sunk in further, hardly a mouth is left."""
+DRAFT = math.sin(math.radians(10.0))
+"""The sides of a body with draft lean by less."""
 HALF_TURN_RAD = math.radians(10.0)
 """Within this of half a circle a notch is called semicircular."""
 
@@ -29,8 +31,8 @@ def recognise_round_notches(
 ) -> Iterator[Depression]:
     """Concave partial cylinders between two convex lines on faces that are level with each other, as depressions.
 
-    Those faces are planes, or pieces of one outer cylinder along the same direction: the rim of a wheel or knob. Longer
-    than wide they are grooves with a round bottom, else notches, as in the edge of a plate.
+    Those faces are planes, or pieces of one outer cylinder along the same direction, or an outer cone about it: the rim
+    of a wheel or knob. Longer than wide they are grooves with a round bottom, else notches, as in the edge of a plate.
     """
     for wall in walls:
         if (
@@ -60,8 +62,10 @@ def recognise_round_notches(
 
 
 def _are_level(sides: Sequence[FaceRecord], near: float) -> bool:
-    """Are they pieces of one plane, or of one outer cylinder?"""
+    """Are they pieces of one plane or outer cylinder, or one outer cone?"""
     first = sides[0]
+    if first.kind is SurfaceKind.CONE:
+        return all(side.id == first.id for side in sides)
     if first.kind is SurfaceKind.CYLINDER:
         return first.outward > 0 and all(side.id == first.id or same_cylinder(first, side) for side in sides)
     return all(
@@ -84,8 +88,9 @@ def _beside(brep: Brep, wall: Wall) -> list[FaceRecord] | None:
     None when its outline meets anything but in convex edges, or a plane across at one end. What opens in it, a hole or
     another cut, does not count.
     """
-    sides: list[FaceRecord] = []
-    rims, ends = 0, set[int]()
+    straight: list[FaceRecord] = []
+    coned: list[FaceRecord] = []
+    ends = set[int]()
     for face in wall.faces:
         outline = {edge for loop in brep.faces[face].loops if loop.outer for edge in loop.edges}
         for edge, other in brep.neighbours(face):
@@ -97,11 +102,22 @@ def _beside(brep: Brep, wall: Wall) -> list[FaceRecord] | None:
             if edge.convexity is not EdgeConvexity.CONVEX:
                 return None
             if edge.kind is EdgeKind.LINE and parallel(edge.direction, wall.axis.direction, 1e-2):
-                rims += 1
-                sides.append(brep.faces[other])
+                straight.append(brep.faces[other])
+            elif _is_bent_rim(edge, brep.faces[other], wall.axis.direction):
+                coned.append(brep.faces[other])
+    sides = straight or coned  # beside straight rims a cone breaks the edge at the end
     plane = all(face.kind is SurfaceKind.PLANE for face in sides)
-    round_ = all(face.kind is SurfaceKind.CYLINDER and parallel(face.axis, wall.axis.direction, 1e-2) for face in sides)
-    return sides if rims > 1 and len(ends) < 2 and (plane or round_) else None
+    round_ = all(
+        face.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE) and parallel(face.axis, wall.axis.direction, 1e-2)
+        for face in sides
+    )
+    return sides if len(sides) > 1 and len(ends) < 2 and (plane or round_) else None
+
+
+def _is_bent_rim(edge: EdgeRecord, face: FaceRecord, along: Vector) -> bool:
+    """Does it run along this direction, but for what an outer cone, as of a body with draft, bends it?"""
+    on_cone = face.kind is SurfaceKind.CONE and face.outward > 0
+    return on_cone and parallel(sub(edge.end, edge.start), along, DRAFT)
 
 
 def _is_across(wall: Wall, face: FaceRecord) -> bool:
