@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from tests.segworker.shapes import box, compound, cut, cylinder, find, fuse, nurbs, plate, turned
+from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.TopoDS import TopoDS_Edge
+from tests.segworker.shapes import box, compound, cut, cylinder, edges, filleted, find, fuse, nurbs, plate, turned
 
 from querycad_contracts import Part, Side
 
@@ -196,3 +198,24 @@ def test_two_flats_across_the_end_of_a_shaft_are_steps_of_one_depth(degrees: flo
 def test_a_lowered_part_of_a_disc_is_as_deep_as_it_is_low() -> None:
     (step,) = find(cut(cylinder(30, 10), box((60, 80, 10), (10, -40, 8)))).of("step")
     assert [step.depth] == near(2)
+
+
+@pytest.mark.parametrize("shelf", [0.0, 1.5])
+def test_a_pocket_open_at_its_corners_reaches_to_where_its_walls_have_rounded_off(shelf: float) -> None:
+    """With a `shelf`, one wall alone is rounded and runs on to that, higher than where the others end."""
+    hollow = cut(box((80, 60, 20 + shelf), (-40, -30, 0)), box((56, 36, 18 + shelf), (-28, -18, 2)))
+    rim = [
+        edge
+        for edge, (x, y, z) in ((edge, _middle(edge)) for edge in edges(hollow))
+        if z > 20 + shelf - 1e-6 and ((x, y) == (28, 0) or (not shelf and (abs(x), abs(y)) in ((28, 0), (0, 18))))
+    ]
+    lower = box((66, 60, 5), (-40, -30, 20))
+    corners = (box((14, 14, 14), (x, y, 16)) for x in (-40, 26) for y in (-30, 16))
+    (pocket,) = find(cut(filleted(hollow, 2, *rim), lower, *corners)).of("pocket")
+    assert pocket.depth == pytest.approx(18 * MM)
+
+
+def _middle(edge: TopoDS_Edge) -> tuple[float, float, float]:
+    curve = BRepAdaptor_Curve(edge)
+    point = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2)
+    return round(point.X(), 6), round(point.Y(), 6), point.Z()

@@ -18,7 +18,7 @@ from querycad_segworker.features.shared.extruded_walls import (
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import depth_of_flat, is_d
-from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
+from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, parallel, scale, span, sub, unit, upwards
 
@@ -238,7 +238,8 @@ def _pocket(
         outline = around.outline
     frame = frame_of(brep, group.difference(ids) if is_open else group, floor.axis, floor.loops[0])
     pocket = depression_in(DepressionKind.POCKET, outline, frame, group, ids, floor.body, is_open=is_open)
-    return replace(pocket, corner_radius=corner)
+    walls = brep.of_kind(SurfaceKind.PLANE, sorted(group.difference(ids)))
+    return replace(pocket, corner_radius=corner, depth=max(pocket.depth, _mouth(brep, floor, walls)))
 
 
 def _open_on_floor(
@@ -309,6 +310,15 @@ def _rise(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord]) -> float:
         top for wall in walls for top in over_edge_break(brep, wall) if dot(top.axis, floor.axis) > FACING.parallel
     ]
     return max((dot(sub(top.point, floor.point), floor.axis) for top in level), default=0.0)
+
+
+def _mouth(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord]) -> float:
+    """How high above its floor do most walls of a pocket end, over the breaks of their edges? 0 where those are sharp.
+
+    One that runs on to a higher shelf does not make it deeper.
+    """
+    rises = [significant(_rise(brep, floor, [wall])) for wall in walls]
+    return max(rises, key=lambda rise: (rises.count(rise), -rise), default=0.0)
 
 
 def _are_back_to_back(a: FaceRecord, b: FaceRecord) -> bool:
