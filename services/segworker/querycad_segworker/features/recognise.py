@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from querycad_contracts import Part, PartKind, Refusal, Shape, SurfaceKind, Weighed
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import Tolerances, exceeds
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import box_center, box_extents, dist
 
@@ -192,7 +192,9 @@ def _parts(
         [frozenset(ribs[n - 1].flanks) for n in fin_numbers],
     )
     depressions, corners = without_corners_of_walls(depressions, flat_walls)
-    standing = [boss for boss in beside_pipes(brep, bosses, pipes) if not _is_island(boss, holes, tolerances)]
+    wheels = wheel_parts(brep, holes, bosses)
+    hubs = {face for part in wheels if "hub" in part.tags for face in part.faces}
+    standing = [boss for boss in beside_pipes(brep, bosses, pipes) if not _is_island(boss, holes, hubs, tolerances)]
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
         *hole_parts,
@@ -201,7 +203,7 @@ def _parts(
         *_numbered(brep, standing, boss_part, hole_parts),
         *(part for n, boss in enumerate(standing, start=1) for part in boss_break_parts(brep, boss, n)),
         *(part for n, pipe in enumerate(pipes, start=1) for part in pipe_parts(brep, pipe, n)),
-        *wheel_parts(brep, holes, bosses),
+        *wheels,
         *_numbered(brep, grooves, turned_groove_part),
         *_numbered(brep, depressions, depression_part, volumes),
         *_numbered(brep, standing_out.protrusions, protrusion_part, volumes),
@@ -321,13 +323,20 @@ def _not_voids(grooves: Sequence[TurnedGroove], depressions: Sequence[Depression
     return [groove for groove in grooves if groove.faces not in voids]
 
 
-def _is_island(boss: Boss, holes: Sequence[Hole], tolerances: Tolerances) -> bool:
-    """Is it what an annular groove leaves standing, level with the groove's rim?"""
+def _is_island(boss: Boss, holes: Sequence[Hole], hubs: Set[int], tolerances: Tolerances) -> bool:
+    """Is it what an annular groove leaves standing, level with the groove's rim?
+
+    Around a bore it is a boss nevertheless where the groove is wider than its wall, a recess, unless it is an end of a
+    hub. `hubs`: faces of hubs.
+    """
     around = [hole for hole in holes if hole.is_ring and not set(hole.faces).isdisjoint(boss.faces)]
-    level = any(abs(boss.height - hole.depth) < 10 * tolerances.length for hole in around)
-    if level:
+    around = [hole for hole in around if abs(boss.height - hole.depth) < 10 * tolerances.length]
+    if boss.bore_radius is not None and hubs.isdisjoint(boss.faces):
+        wall = boss.radius - boss.bore_radius
+        around = [hole for hole in around if not exceeds(hole.radius - boss.radius, wall)]
+    if around:
         refuse("boss", boss.faces, "an annular groove leaves it, level with its rim")
-    return level
+    return bool(around)
 
 
 def _turned(

@@ -18,6 +18,7 @@ from tests.segworker.shapes import (
     fuse,
     plate,
     rims,
+    shifted,
     torus,
     turned,
 )
@@ -294,3 +295,21 @@ def test_between_a_long_cone_and_a_collar_lies_a_step_and_between_short_flanks_a
     grooved = find(fuse(shaft, cone(20, 25, 5, (0, 0, 33)), cylinder(25, 20, (0, 0, 38))))
     assert [boss.diameter for boss in grooved.of("boss")] == near(50)
     assert len(grooved.of("groove")) == 1
+
+
+@pytest.mark.parametrize(("recess", "bosses"), [(15.0, 1), (8.0, 0)])
+def test_a_boss_around_a_bore_in_a_wide_recess_is_one_and_what_a_narrow_groove_leaves_is_none(
+    recess: float, bosses: int
+) -> None:
+    ring = cut(cylinder(recess, 5), cylinder(6.5, 5))
+    found = find(cut(cylinder(20, 20), ring, cylinder(3, 15)))
+    sizes = [boss.diameter for boss in found.of("boss") if (boss.diameter or 0) < 0.02]
+    assert sizes == pytest.approx([0.013] * bosses)
+
+
+def test_the_middle_of_a_disc_turned_out_on_both_sides_is_a_hub_and_no_bosses() -> None:
+    ring = cut(cylinder(50, 12), cylinder(23, 12))
+    wheel = cut(cylinder(70, 35), ring, shifted(ring, (0, 0, 23)), cylinder(12, 35))
+    found = find(wheel)
+    assert [part.diameter for part in found.parts if "hub" in part.tags] == pytest.approx([0.046])
+    assert not [boss for boss in found.of("boss") if (boss.diameter or 0) < 0.1]

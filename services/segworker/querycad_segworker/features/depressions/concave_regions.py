@@ -267,11 +267,8 @@ def _open_on_floor(
     leaning = [wall for wall in plane_walls if dot(wall.axis, floor.axis) > LEANS_BACK]
     if any(sum(_meet(graph.brep, wall, end) for end in round_ends) > 1 for wall in plane_walls):
         kind = DepressionKind.SLOT  # closed at both ends by the round of the cutter, open along one side
-    elif leaning == plane_walls != []:
-        refuse("step", group, "its walls lean back: it lies between sides of the body at obtuse angles")
-        return None
-    elif len(plane_walls) == 1 and is_d(graph.brep, floor, plane_walls[0]):
-        refuse("step", group, "it is the flat of a D shaft")
+    elif (reason := _no_step(graph.brep, floor, plane_walls, leaning)) is not None:
+        refuse("step", group, reason)
         return None
     if not plane_walls:
         outline = "circular"
@@ -283,6 +280,15 @@ def _open_on_floor(
     if kind is not DepressionKind.STEP:
         return found
     return replace(found, depth=max(found.depth, _rise(graph.brep, floor, plane_walls)))
+
+
+def _no_step(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord], leaning: Sequence[FaceRecord]) -> str | None:
+    """Why are a floor and plane walls, `leaning` ones among them, no step?"""
+    if leaning == walls != []:
+        return "its walls lean back: it lies between sides of the body at obtuse angles"
+    if len(walls) == 1 and is_d(brep, floor, walls[0]):
+        return "it is the flat of a D shaft"
+    return None
 
 
 def _within_rim(
