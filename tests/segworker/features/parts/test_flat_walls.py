@@ -137,6 +137,16 @@ def test_the_upright_between_two_gussets_is_a_leg_and_neither_floor_nor_rib() ->
     assert [floor.thickness for floor in find(trough).of("floor")] == pytest.approx([3 * MM])
 
 
+def test_a_bracket_has_legs_however_large_its_gusset_and_a_block_with_a_braced_flange_has_none() -> None:
+    gusset = prism([(5, 7, 5), (75, 7, 5), (5, 7, 75)], (0, 6, 0))
+    walls = find(fuse(box((100, 20, 5)), box((5, 20, 90)), gusset)).of("wall")
+    assert sorted(wall.length or 0.0 for wall in walls if "leg" in wall.tags) == pytest.approx([90 * MM, 100 * MM])
+    small = prism([(40, 7, 5), (60, 7, 5), (40, 7, 25)], (0, 6, 0))
+    block = find(fuse(box((100, 40, 5)), box((40, 40, 60)), small))
+    assert [rib for rib in block.of("rib") if "gusset" in rib.tags]
+    assert not [part for part in block.parts if "leg" in part.tags]
+
+
 def test_a_side_of_a_tray_is_no_rib_where_a_tab_stands_out_below_it_and_a_divider_is_one() -> None:
     sides = cut(box((80, 60, 26)), box((74, 54, 23), (3, 3, 3)))
     tabbed = find(fuse(sides, box((18, 20, 3), (31, -20, 0))))

@@ -34,8 +34,8 @@ FILLED = 0.4
 FLATTER = 0.8
 """A wall is thinner than it is wide, by this factor at least; else it is a bar."""
 MADE_OF = 0.6
-"""A body of walls, such as an angle bracket, has more than this share of its volume in them; holes and bends are the
-rest."""
+"""A body of walls, such as an angle bracket, has more than this share of its volume in them and in the gussets between
+them; holes and bends are the rest."""
 APART = 0.95
 """Cosine of the angle that legs of a bent part are turned by at least: some 20 degrees."""
 SQUARE = 0.02
@@ -376,7 +376,8 @@ def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
     result = [wall for wall in walls if not STANDS_IN.isdisjoint(wall.tags)]
     for body, members in own.items():
         turned = any(abs(dot(a.normal, b.normal)) < APART for a in members for b in members)
-        made_of = sum(wall.volume for wall in members) > MADE_OF * brep.bodies[body].volume > 0
+        braces = sum(wall.volume for wall in result if wall.body == body and "gusset" in wall.tags) / 2  # triangles
+        made_of = braces + sum(wall.volume for wall in members) > MADE_OF * brep.bodies[body].volume > 0
         if made_of and len(members) == 1 and not members[0].is_floor:
             continue
         floors = [wall.normal for wall in members if wall.is_floor]  # returned lips lie along the floor of a channel
