@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+from math import dist
+
 import pytest
 from tests.segworker.shapes import box, cut, cylinder, find, fuse, plate, prism, turned
+
+
+MM = 1e-3
 
 
 def test_a_block_is_as_high_as_its_own_top_and_a_block_with_a_step_as_its_highest() -> None:
@@ -59,3 +65,17 @@ def test_ribs_between_hub_and_rim_in_a_pocket_are_no_spokes_and_webs_over_openin
     open_ = find(cut(wheel, cut(cylinder(60, 18, (0, 0, 8)), cylinder(15, 18, (0, 0, 8)))))
     assert len([part for part in open_.parts if "spoke" in part.tags]) == 6
     assert not open_.of("rib")
+
+
+@pytest.mark.parametrize("lean", [0.0, 0.6])
+def test_a_rib_is_in_the_middle_of_its_flanks_whether_they_have_draft_or_not(lean: float) -> None:
+    """Nine of 30 mm, 2 mm thick at mid height, 8 mm apart; `lean`: of each flank from there to its foot, mm."""
+    outline = [(-1 - lean, 0), (1 + lean, 0), (1 - lean, 30), (-1 + lean, 30)]
+    row = [prism([(x + at, 0, z) for x, z in outline], (0, 60, 0)) for at in range(4, 72, 8)]
+    shape = fuse(box((76, 60, 6), (-2, 0, -6)), *row)
+    ribs = find(shape).of("rib")
+    assert sorted(rib.center[0] for rib in ribs) == pytest.approx([at * MM for at in range(4, 72, 8)])
+    for rib in ribs:
+        assert (*rib.center[1:], rib.extents[2]) == pytest.approx((30 * MM, 15 * MM, 30 * MM))
+    placed = sorted(rib.center for rib in find(turned(shape, (1, 2, 3), 35)).of("rib"))
+    assert [dist(a, b) for a, b in pairwise(placed)] == pytest.approx(8 * [8 * MM])

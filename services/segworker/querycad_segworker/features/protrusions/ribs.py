@@ -150,8 +150,10 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
         short = "high" if height < thickness else "long"
         refuse("rib", {top.id, *own}, f"it is too thick for what it is {short}")
         return None
-    across = dot(a.point, a.axis) - thickness / 2
-    x, y, z = (scale(d, s) for d, s in ((along, (low + high) / 2), (a.axis, across), (out, (foot + level) / 2)))
+    across, middle = unit(cross(out, along)), (foot + level) / 2
+    # Flanks with draft lean: each is where its plane is at mid height.
+    side = sum((dot(f.point, f.axis) - middle * dot(out, f.axis)) / dot(across, f.axis) for f in flanks) / 2
+    x, y, z = (scale(d, s) for d, s in ((along, (low + high) / 2), (across, side), (out, middle)))
     center = add(add(x, y), z)
     return Rib(
         thickness=thickness,
