@@ -56,6 +56,22 @@ def test_below_a_head_and_below_a_slot_is_what_is_left_too() -> None:
     assert gap.bottom_thickness is None
 
 
+@pytest.mark.parametrize(("size", "left"), [(24, 8), (60, 11)])
+def test_below_a_slot_the_material_beside_a_pad_counts_but_where_the_pad_is_under_all_of_it(
+    size: float, left: float
+) -> None:
+    padded = fuse(plate(60, 80, 20), box((size, size, 3), (-size / 2, -size / 2, -23)))
+    (slot,) = find(cut(padded, box((60, 8, 12), (-30, -4, -12)))).of("slot")
+    assert slot.bottom_thickness == pytest.approx(left * MM)
+
+
+@pytest.mark.parametrize("width", [10.0, 18.0])
+def test_between_slots_that_cross_the_web_counts(width: float) -> None:
+    across = box((width, 90, 6), (-width / 2, -45, -20))
+    slots = find(cut(plate(220, 90, 20), box((220, 24, 8), (-110, -12, -8)), across)).of("slot")
+    assert [slot.bottom_thickness for slot in slots] == pytest.approx([6 * MM, 6 * MM])
+
+
 def test_below_a_round_trough_is_what_is_left_at_its_lowest_line() -> None:
     trough = cut(plate(60, 40, 20), cylinder(6, 40, (0, -20, 0), (0, 1, 0)))
     (found,) = [part for part in find(trough).parts if part.kind in ("slot", "channel", "notch")]

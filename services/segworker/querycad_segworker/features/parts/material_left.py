@@ -21,7 +21,8 @@ BLIND = frozenset((PartKind.HOLE, PartKind.POCKET))
 FLOORED = frozenset((PartKind.SLOT, PartKind.CHANNEL, PartKind.NOTCH, PartKind.COUNTERBORE, PartKind.SPOTFACE))
 """What has a floor though it is open: at a side, or to the bore that it widens."""
 MOST_STARTS = 24
-"""Rays from one bottom, from the middles of its largest triangles."""
+"""Rays from one bottom, from the middles of its largest triangles; where it has fewer, they are halved until there are
+so many: what lies behind a part of a rectangle is behind no middle of its two triangles."""
 AROUND = 16
 """Rays around a hole, every 22 degrees, at each of `LEVELS`: what is plane or round about a parallel axis is then met
 straight on, so that they need only find the face."""
@@ -238,9 +239,21 @@ def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[
     if _looks(face, part.normal):
         corners = mesh.vertices_m[mesh.triangles[triangles]]
         sizes = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-        middles: Reals = corners[np.argsort(-sizes, kind="stable")[:MOST_STARTS]].mean(axis=1)
+        corners = corners[np.argsort(-sizes, kind="stable")[:MOST_STARTS]]
+        while 0 < len(corners) < MOST_STARTS:
+            corners = _halved(corners)
+        middles: Reals = corners.mean(axis=1)
         return middles
     return np.zeros((0, 3))
+
+
+def _halved(corners: Reals) -> Reals:
+    """Each triangle, (N, 3, 3), as the two on both sides of the middle of its longest side, (2 N, 3, 3)."""
+    longest = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2).argmax(axis=1)
+    order = (longest[:, None] + np.arange(3)) % 3
+    a, b, c = np.take_along_axis(corners, order[..., None], axis=1).transpose(1, 0, 2)
+    middle = (a + b) / 2
+    return np.concatenate([np.stack([a, middle, c], axis=1), np.stack([middle, b, c], axis=1)])
 
 
 def _beside(
