@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection
 from dataclasses import dataclass
 
 from querycad_contracts import Face, Outline, Side, SurfaceKind, Vector
@@ -91,7 +91,7 @@ def _own_size(brep: Brep, record: FaceRecord) -> _OwnSize | None:
     return _OwnSize(along, (sizes[0], sizes[1], 0.0))
 
 
-def _extent(brep: Brep, record: FaceRecord, edges: Iterable[int], way: Vector) -> float | None:
+def _extent(brep: Brep, record: FaceRecord, edges: Collection[int], way: Vector) -> float | None:
     """How far do these edges of a face reach along a unit vector? None where that is not known exactly."""
     for axis, extent in zip(_AXES, box_extents(record.box), strict=True):
         if abs(dot(axis, way)) > 1 - 1e-12:

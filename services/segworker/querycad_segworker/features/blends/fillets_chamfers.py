@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
-from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.part_measures import faces_box
+from querycad_segworker.features.shared.reach import faces_span
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import end_of_corner_chamfer
 from querycad_segworker.features.shared.shaft_steps import ALIKE
@@ -111,7 +111,7 @@ def _corner_chamfers(brep: Brep, ends: Mapping[int, int]) -> list[Blend]:
     for end in sorted(set(ends.values())):
         pieces = {piece for piece, own in ends.items() if own == end}
         cone = brep.faces[min(pieces)]
-        low, high = span(face_points(brep, pieces), cone.axis)
+        low, high = faces_span(brep, pieces, cone.axis)
         blend = _blend(brep, "chamfer", (high - low) / math.cos(cone.half_angle), pieces)
         found.append(replace(blend, angle=math.pi / 2 - cone.half_angle))
     return found
@@ -258,7 +258,7 @@ def _across(brep: Brep, face: FaceRecord, sides: Sequence[Sequence[EdgeRecord]])
     if a.kind is EdgeKind.LINE is b.kind:
         across = unit(cross(face.axis, a.direction))
         low, high = span((edge.mid for side in sides for edge in side if _runs_alike(edge, a)), across)
-        first, last = span(face_points(brep, (face.id,)), across)
+        first, last = faces_span(brep, (face.id,), across)
         return high - low if last - first <= ALIKE * (high - low) else math.inf
     if a.kind is EdgeKind.CIRCLE is b.kind and a.center is not None and b.center is not None:
         return math.hypot(dist(a.center, b.center), (a.radius or 0.0) - (b.radius or 0.0))

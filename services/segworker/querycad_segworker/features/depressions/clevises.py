@@ -8,11 +8,12 @@ from dataclasses import replace
 
 from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.clearance import IsClear
-from querycad_segworker.features.shared.frames import face_points, frame_of
+from querycad_segworker.features.shared.frames import frame_of
+from querycad_segworker.features.shared.reach import faces_span
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, reaches
 from querycad_segworker.topology import Brep, FaceRecord
-from querycad_segworker.vectors import add, dot, parallel, scale, span, sub
+from querycad_segworker.vectors import add, dot, parallel, scale, sub
 
 from .depression import Depression, DepressionKind, depression_in
 
@@ -56,7 +57,7 @@ def _between(brep: Brep, rib: Rib, flanks: tuple[FaceRecord, FaceRecord], is_cle
     gap = dot(sub(second.point, first.point), first.axis)
     middle = scale(add(first.point, second.point), 0.5)
     for direction in (rib.direction, rib.normal):
-        (low, high), (other_low, other_high) = (span(face_points(brep, (flank.id,)), direction) for flank in flanks)
+        (low, high), (other_low, other_high) = (faces_span(brep, (flank.id,), direction) for flank in flanks)
         size = min(high, other_high) - max(low, other_low)
         if size < OVERLAP * min(high - low, other_high - other_low):
             return None

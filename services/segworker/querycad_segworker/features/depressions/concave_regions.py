@@ -15,12 +15,13 @@ from querycad_segworker.features.shared.extruded_walls import (
     first_of_surface,
     tunnel_of,
 )
-from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of, outline_of
+from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
+from querycad_segworker.features.shared.reach import faces_span
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import depth_of_flat, is_d
 from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, parallel, scale, span, sub, unit, upwards
+from querycad_segworker.vectors import cross, dot, norm, parallel, scale, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
 from .outlets import held_floor
@@ -306,7 +307,7 @@ def _within_rim(
         return group
     rim = max(levels) + 10 * tolerances.length
     others = group.difference({floor.id}, (wall.id for wall in walls))
-    out = {face for face in others if span(face_points(brep, (face,)), floor.axis)[1] > rim}
+    out = {face for face in others if faces_span(brep, (face,), floor.axis)[1] > rim}
     return group - out - {face for face in others if not out.isdisjoint(brep.beside(face, EdgeConvexity.CONVEX))}
 
 

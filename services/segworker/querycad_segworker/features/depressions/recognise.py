@@ -11,12 +11,13 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.extruded_walls import ACROSS, MORE_THAN_HALF, tunnel_of
-from querycad_segworker.features.shared.frames import bow_of, face_points, frame_of, outline_of
+from querycad_segworker.features.shared.frames import bow_of, frame_of, outline_of
+from querycad_segworker.features.shared.reach import edges_span, faces_span
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, span, sub, unit
+from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, sub, unit
 
 from .cavities import recognise_cavities
 from .concave_regions import group_depression
@@ -203,13 +204,13 @@ def _around_island(brep: Brep, pocket: Depression) -> Depression | None:
     if len(inner) != 1:
         return None
     island = {i for e in inner[0].edges for i in brep.edges[e].faces} - {floor.id}
-    rise = max(dot(p, floor.axis) for p in face_points(brep, island))
+    rise = faces_span(brep, island, floor.axis)[1]
     if abs(rise - dot(floor.point, floor.axis) - pocket.depth) > 0.01 * pocket.depth:
         return None
     sizes = []
     for loop in (floor.loops[0], inner[0]):
-        points = [p for e in loop.edges for p in brep.edge_points[e]]
-        ranges = [span(points, way) for way in (pocket.direction, cross(floor.axis, pocket.direction))]
+        ways = (pocket.direction, cross(floor.axis, pocket.direction))
+        ranges = [edges_span(brep, loop.edges, way) for way in ways]
         sizes.append([high - low for low, high in ranges])
     gaps = [(outer - core) / 2 for outer, core in zip(*sizes, strict=True)]
     if min(gaps) <= 0:

@@ -11,7 +11,7 @@ from itertools import chain, permutations
 from querycad_contracts import Part, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
 from querycad_segworker.features.shared.adjacency import breaks_edge, is_blend
-from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of_edges
+from querycad_segworker.features.shared.frames import LocalFrame, frame_of_edges
 from querycad_segworker.features.shared.part_measures import (
     PLATE_RATIO,
     UPRIGHT,
@@ -21,6 +21,7 @@ from querycad_segworker.features.shared.part_measures import (
     millimetres,
     stance,
 )
+from querycad_segworker.features.shared.reach import faces_span
 from querycad_segworker.tolerances import Tolerances, exceeds, reaches, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord, linked
 from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, scale, sub
@@ -412,7 +413,7 @@ def _leg(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> FlatWall:
 def _met(brep: Brep, leg: FlatWall, other: FlatWall) -> list[FaceRecord]:
     """The faces of another wall up to which a leg reaches: both at a corner, the near one of what goes on behind it."""
     faces = [brep.faces[i] for i in other.faces]
-    ends = [dot(point, leg.normal) for face in faces for point in face_points(brep, (face.id,))]
+    ends = faces_span(brep, other.faces, leg.normal)
     sides = [dot(brep.faces[i].point, leg.normal) for i in leg.faces]
     beyond = 0.5 * leg.thickness
     if min(ends) < min(sides) - beyond and max(ends) > max(sides) + beyond:

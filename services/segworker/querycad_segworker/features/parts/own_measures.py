@@ -9,11 +9,11 @@ from typing import Final
 
 from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area, inclination
-from querycad_segworker.features.shared.reach import reach_along
+from querycad_segworker.features.shared.reach import edges_span, reach_along
 from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_round
 from querycad_segworker.features.shared.tapers import draft_of, mouth_and_bottom
 from querycad_segworker.topology import Brep, FaceRecord
-from querycad_segworker.vectors import cross, dist, dot, line_key, parallel, span
+from querycad_segworker.vectors import cross, dist, dot, line_key, parallel
 
 Measured = dict[str, object]
 """Fields of `Part` -> values."""
@@ -98,8 +98,7 @@ def _laid_flat(body: Part, bends: Sequence[Part], brep: Brep) -> Part:
         return body
     arcs = [(one.bend_angle or 0.0) * ((one.bend_radius or 0.0) + thickness / 2) for one in inside]
     reaches = [
-        reach_along(brep, (edge for face in faces for edge in brep.face_edges[face]), cross(axis, normal))
-        for normal, faces in _panels(inside, axis, brep)
+        reach_along(brep, brep.edges_of(faces), cross(axis, normal)) for normal, faces in _panels(inside, axis, brep)
     ]
     flats = [reach[1] - reach[0] for reach in reaches if reach is not None]
     if not all(arcs) or len(flats) != len(inside) + 1:  # no strip whose panels follow one another
@@ -210,7 +209,7 @@ def _dovetail(part: Part, brep: Brep) -> Measured:
     opposed = next(((a, b) for a, b in pairs if dot(a.axis, b.axis) < 0), None)
     if opposed is None:
         return {}
-    _, top = span((p for e in brep.edges_of(part.faces) for p in brep.edge_points[e]), normal)
+    _, top = edges_span(brep, brep.edges_of(part.faces), normal)
     mouth, bottom = (_over_flanks(opposed, normal, level) for level in (top, top - part.height))
     if not mouth > bottom > 0:
         return {}  # sides of what is cut into it

@@ -11,10 +11,10 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.protrusions.protrusions import Protrusion
 from querycad_segworker.features.shared.adjacency import breaks_edge
 from querycad_segworker.features.shared.axes import Axis
-from querycad_segworker.features.shared.frames import face_points
+from querycad_segworker.features.shared.reach import faces_span
 from querycad_segworker.tolerances import Tolerances, exceeds, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import add, dist, dot, foot, mid, norm, parallel, scale, span, sub, unit
+from querycad_segworker.vectors import add, dist, dot, foot, mid, norm, parallel, scale, sub, unit
 
 ALONG = 0.02
 """Sine of the angle by which the edge at the root of an arm may lean off the hub's axis."""
@@ -121,7 +121,7 @@ def _is_proud_hub(brep: Brep, wall: FaceRecord, edge: EdgeRecord) -> bool:
     """Is it an outer cylinder around a bore, that a tangential edge along it covers a part of?"""
     if edge.convexity is not EdgeConvexity.SMOOTH or wall.outward < 0 or wall.sweep < CORNER_RAD:
         return False
-    low, high = span(face_points(brep, (wall.id,)), wall.axis)
+    low, high = faces_span(brep, (wall.id,), wall.axis)
     near = ALONG * wall.radius
     return exceeds(high - low, edge.length) and any(
         face.kind is SurfaceKind.CYLINDER and face.outward < 0 and face.body == wall.body
@@ -169,12 +169,12 @@ def _arm(brep: Brep, hub: _Hub, a: FaceRecord, b: FaceRecord) -> Arm | None:
     caps = [face for face in around if face.kind is SurfaceKind.PLANE and parallel(face.axis, axis, ALONG)]
     levels = [dot(cap.point, axis) for cap in caps]
     if max(levels, default=0.0) - min(levels, default=0.0) <= 0:
-        levels = list(span(face_points(brep, (a.id, b.id)), axis))
+        levels = list(faces_span(brep, (a.id, b.id), axis))
     rims = [face.radius for face in around if _is_rim(face, hub)]
     near = ALONG * hub.radius
     ends = {i for i in _ends(brep, a, axis) | _ends(brep, b, axis) if not _is_on(brep.faces[i], hub, near)}
     origin = dot(hub.axis.origin, way)
-    reach = min(rims) if rims else span(face_points(brep, (a.id, b.id, *ends)), way)[1] - origin
+    reach = min(rims) if rims else faces_span(brep, (a.id, b.id, *ends), way)[1] - origin
     width = abs(dot(sub(a.point, b.point), unit(sub(a.axis, b.axis))))
     length, thickness = reach - hub.radius, max(levels) - min(levels)
     if not exceeds(length, width) or exceeds(thickness, length):

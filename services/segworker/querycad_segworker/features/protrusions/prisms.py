@@ -10,6 +10,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.frames import face_points, frame_of_edges, polygon_name
 from querycad_segworker.features.shared.part_measures import faces_box
+from querycad_segworker.features.shared.reach import edges_box, faces_span
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import BROKEN, across_flats_and_corners
 from querycad_segworker.features.shared.shaft_steps import ALIKE
@@ -192,7 +193,7 @@ def _prism(brep: Brep, ring: set[int], direction: Vector, chamfers: Collection[i
     frame = frame_of_edges(brep, edges, axis, None)
     length, width, height = frame.size
     own = ring | breaks | caps
-    box = faces_box(brep, own) if whole == ring else box_of(p for e in edges for p in brep.edge_points[e])
+    box = faces_box(brep, own) if whole == ring else edges_box(brep, edges)
     assert box is not None  # a ring has corners
     center, low, high = box_center(box), frame.low[2], frame.low[2] + height
     levels = [dot(point, axis) for point in face_points(brep, _foot_fillets(brep, whole, axis))]
@@ -219,7 +220,7 @@ def _prism(brep: Brep, ring: set[int], direction: Vector, chamfers: Collection[i
 
 def _unbroken(brep: Brep, ring: set[int], axis: Vector, chamfers: Collection[int]) -> list[int]:
     """The sides without those that break corners: in a regular outline any that are narrow, else narrow `chamfers`."""
-    spans = {i: span(face_points(brep, (i,)), cross(axis, brep.faces[i].axis)) for i in sorted(ring)}
+    spans = {i: faces_span(brep, (i,), cross(axis, brep.faces[i].axis)) for i in sorted(ring)}
     widths = {i: high - low for i, (low, high) in spans.items()}
     if across_flats_and_corners(brep, ring, axis) is not None:
         return [i for i in widths if widths[i] >= BROKEN * max(widths.values())]
@@ -248,7 +249,7 @@ def _meets_in_chamfers(brep: Brep, ring: set[int], direction: Vector, chamfers: 
     As two opposite faces of a block and the chamfers on two of its edges.
     """
     longest = max(edge.length for edge in _corners(brep, ring, direction))
-    reaches = [span(face_points(brep, (side,)), direction) for side in ring.difference(chamfers)]
+    reaches = [faces_span(brep, (side,), direction) for side in ring.difference(chamfers)]
     return len(reaches) < len(ring) and all(high - low > ALIKE * longest for low, high in reaches)
 
 
@@ -261,10 +262,10 @@ def _outreach_corners(brep: Brep, ring: set[int], direction: Vector, chamfers: C
     axis = upwards(direction)
     corners = _corners(brep, ring, direction)
     own = (side for side in sorted(ring) if not _runs_on(brep, side, corners, axis))
-    reaches = [span(face_points(brep, (side,)), axis) for side in own]
+    reaches = [faces_span(brep, (side,), axis) for side in own]
     beside = [brep.faces[i] for i in sorted({i for side in ring for _, i in brep.neighbours(side)} - ring)]
     breaks = [face.id for face in beside if face.id in chamfers or (face.outward > 0 and is_blend(brep, face))]
-    taken = (span(face_points(brep, (face,)), axis) for face in breaks)
+    taken = (faces_span(brep, (face,), axis) for face in breaks)
     most = max(edge.length for edge in corners) + 2 * max((high - low for low, high in taken), default=0.0)
     turned = any(_is_turned_chamfer(brep, face, ring, axis) for face in beside)
     return not turned and sum(OUTREACH * (high - low) > most for low, high in reaches) > 1
@@ -274,7 +275,7 @@ def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector)
     """Does a side reach further across than the corners at its two ends?"""
     across = cross(axis, brep.faces[side].axis)
     first, last = span((p for edge in corners if side in edge.faces for p in (edge.start, edge.end)), across)
-    low, high = span(face_points(brep, (side,)), across)
+    low, high = faces_span(brep, (side,), across)
     return high - low > ALIKE * (last - first)
 
 
@@ -297,7 +298,7 @@ def _is_turned_chamfer(brep: Brep, face: FaceRecord, ring: set[int], axis: Vecto
     """Is it a cone around the prism that takes the corners off, as of a nut (ISO 4032), lower than the sides are?"""
     if face.kind is not SurfaceKind.CONE or face.outward < 0 or not parallel(face.axis, axis, 1e-3):
         return False
-    (low, high), (bottom, top) = (span(face_points(brep, faces), axis) for faces in ((face.id,), tuple(ring)))
+    (low, high), (bottom, top) = (faces_span(brep, faces, axis) for faces in ((face.id,), tuple(ring)))
     return ring.issubset(brep.beside(face.id, EdgeConvexity.CONVEX)) and high - low < (top - bottom) / 2
 
 

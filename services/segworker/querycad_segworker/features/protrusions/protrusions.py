@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
+from querycad_segworker.features.shared.reach import edges_span
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.features.shared.walls import REVOLVED
@@ -146,7 +147,7 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
 
 def _from_its_foot(brep: Brep, frame: LocalFrame, loop: Loop) -> LocalFrame:
     """The same frame, no lower than its foot: a hole in its top may be deeper than it is high."""
-    foot = min(dot(point, frame.n) for e in loop.edges for point in brep.edge_points[e])
+    foot = edges_span(brep, loop.edges, frame.n)[0]
     deeper = max(0.0, foot - frame.low[2])
     low, size = (*frame.low[:2], frame.low[2] + deeper), (*frame.size[:2], frame.size[2] - deeper)
     return LocalFrame(frame.u, frame.v, frame.n, low, size)

@@ -8,7 +8,7 @@ from collections.abc import Sequence, Set
 from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.shared.frames import face_points
+from querycad_segworker.features.shared.reach import edges_span, faces_span
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
@@ -136,7 +136,7 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
     a, b = flanks
     out, along = top.axis, unit(cross(a.axis, top.axis))
     thickness = dot(sub(a.point, b.point), a.axis)
-    level = max(dot(p, out) for p in face_points(brep, (top.id,)))
+    level = faces_span(brep, (top.id,), out)[1]
     feet = [_foot(brep, flank, top) for flank in flanks if flank.id in own]
     foot = max(known for known in feet if known is not None)
     low, high = _side_by_side(*(_reach(brep, flank, along, out, foot) for flank in flanks))
@@ -176,11 +176,11 @@ def _foot(brep: Brep, flank: FaceRecord, top: FaceRecord) -> float | None:
 
 def _reach(brep: Brep, flank: FaceRecord, along: Vector, out: Vector, foot: float) -> tuple[float, float]:
     """From where to where along the rib does a flank go above the foot?"""
-    paths = [edge.points for edge in (brep.edges[e] for e in brep.face_edges[flank.id])]
-    highest = max(dot(p, out) for path in paths for p in path)
-    level = foot - NEAR_FOOT * (highest - foot)
-    above = []
-    for start, middle, end in paths:
+    edges = brep.face_edges[flank.id]
+    level = foot - NEAR_FOOT * (edges_span(brep, edges, out)[1] - foot)
+    whole = [e for e in edges if edges_span(brep, (e,), out)[0] >= level]
+    above = list(edges_span(brep, whole, along)) if whole else []
+    for start, middle, end in (brep.edges[e].points for e in edges if e not in whole):
         for a, b in ((start, middle), (middle, end)):
             at_a, at_b = dot(a, out) - level, dot(b, out) - level
             above += [dot(p, along) for p, at in ((a, at_a), (b, at_b)) if at >= 0]
@@ -277,7 +277,7 @@ def _feet(brep: Brep, flank: FaceRecord, top: FaceRecord) -> list[tuple[float, f
 def _level(brep: Brep, edge: EdgeRecord, beside: int, out: Vector) -> float:
     """Where the flank ends along `out`; `beside`: the face behind the edge, whose end counts where it is a fillet."""
     smooth = edge.convexity is EdgeConvexity.SMOOTH
-    return min(dot(p, out) for p in face_points(brep, (beside,))) if smooth else dot(edge.mid, out)
+    return faces_span(brep, (beside,), out)[0] if smooth else dot(edge.mid, out)
 
 
 def _alike(a: Rib, b: Rib, tolerances: Tolerances) -> bool:

@@ -7,8 +7,9 @@ from collections import defaultdict
 from collections.abc import Collection
 
 from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.reach import edges_span
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop, parted, spread
-from querycad_segworker.vectors import line_distance, parallel, span
+from querycad_segworker.vectors import line_distance, parallel
 
 BEVEL_RAD = (math.radians(20.0), math.radians(70.0))
 """A chamfer turns by so much into the face whose edge it breaks, and again into the wall behind."""
@@ -48,7 +49,7 @@ class ConcaveGraph:
         key = (body, *(round(abs(c), 4) for c in direction))
         if key not in self._extents:
             edges = self.brep.edges_of(self.brep.bodies[body].faces)
-            low, high = span((p for e in edges for p in self.brep.edge_points[e]), direction)
+            low, high = edges_span(self.brep, edges, direction)
             self._extents[key] = high - low
         return self._extents[key]
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import Vector
+from querycad_segworker.features.shared.reach import edges_span
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
 from querycad_segworker.vectors import (
@@ -66,7 +67,7 @@ def frame_of(
 def frame_of_edges(
     brep: Brep, edges: Collection[int], normal: Vector, rim: Loop | None, along: Vector | None = None
 ) -> LocalFrame:
-    """The box of some edges, as for `frame_of`."""
+    """The box of some edges, as for `frame_of`; exact for lines and arcs."""
     straight: dict[Vector, float] = defaultdict(float)
     exact: dict[Vector, Vector] = {}  # edges are gathered by rounded direction, the box is turned by an exact one
     for e in rim.edges if rim is not None else edges:
@@ -82,13 +83,23 @@ def frame_of_edges(
     longest = max(straight, key=lambda d: straight[d], default=None)
     u = along or (exact[longest] if longest is not None else perpendicular(normal))
     u = unit(sub(u, scale(normal, dot(u, normal))))
-    return frame_of_points([p for e in edges for p in brep.edge_points[e]], normal, u, turn=along is None)
+    return _frame_of_ranges(lambda way: edges_span(brep, edges, way), normal, u, turn=along is None)
 
 
-def frame_of_points(points: Sequence[Vector], normal: Vector, u: Vector, *, turn: bool = True) -> LocalFrame:
-    """The box of some points along `normal` and the unit vector `u` across it; with `turn` the longer side is u's."""
+def frame_of_points(points: Collection[Vector], normal: Vector, u: Vector) -> LocalFrame:
+    """The box of some points along `normal` and the unit vector `u` across it, or turned: its longer side is u's."""
+    return _frame_of_ranges(lambda way: span(points, way), normal, u, turn=True)
+
+
+def _frame_of_ranges(
+    range_of: Callable[[Vector], tuple[float, float]], normal: Vector, u: Vector, *, turn: bool
+) -> LocalFrame:
+    """The box with these ranges along `normal`, the unit vector `u` across it, and square to both.
+
+    With `turn` its longer side across the normal is u's.
+    """
     v = cross(normal, u)
-    ranges = [span(points, d) for d in (u, v, normal)]
+    ranges = [range_of(way) for way in (u, v, normal)]
     if turn and ranges[1][1] - ranges[1][0] > (ranges[0][1] - ranges[0][0]) * (1 + 1e-9):
         u, v = v, scale(u, -1.0)
         ranges[:2] = [ranges[1], (-ranges[0][1], -ranges[0][0])]

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import same_cylinder
+from querycad_segworker.features.shared.reach import faces_span
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import across, add, dot, parallel, scale, span, sub
+from querycad_segworker.vectors import across, add, dot, parallel, scale, sub
 
 BROKEN = 0.4
 """A plane at a corner narrower than this share of the sides breaks it and gives the outline no name."""
@@ -113,7 +114,7 @@ def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[_Side]:
         side = _Side(
             math.atan2(y, x),
             dot(face.point, face.axis),
-            *span((p for e in brep.face_edges[i] for p in brep.edge_points[e]), along),
+            *faces_span(brep, (i,), along),
         )
         alike = (one for one in found if abs(math.remainder(side.angle - one.angle, 2 * math.pi)) < TURN_RAD)
         known = next(alike, None)

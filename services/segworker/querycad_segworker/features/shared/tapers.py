@@ -6,8 +6,9 @@ import math
 from collections.abc import Collection
 
 from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.reach import edges_span
 from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import dot, span
+from querycad_segworker.vectors import dot
 
 from .adjacency import is_blend
 from .frames import frame_of_edges
@@ -54,7 +55,7 @@ def mouth_and_bottom(
     as large as the sharp outline of the floor, or of the far mouth. None where both are alike.
     """
     edges = brep.edges_of(faces)
-    low, high = span((p for e in edges for p in brep.edge_points[e]), normal)
+    low, high = edges_span(brep, edges, normal)
     near = 0.01 * (high - low)
     mouth = _level_edges(brep, edges, normal, high, near)
     if near <= 0 or not mouth:
