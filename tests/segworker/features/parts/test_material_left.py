@@ -2,8 +2,27 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from tests.segworker.shapes import DOWN, box, cone, cut, cylinder, find, fuse, plate, prism, scaled, turned
+
+
+from tests.segworker.shapes import (
+    DOWN,
+    box,
+    cone,
+    cut,
+    cylinder,
+    filleted,
+    find,
+    fuse,
+    plate,
+    prism,
+    rims,
+    scaled,
+    turned,
+)
 
 MM = 1e-3
 
@@ -108,3 +127,26 @@ def test_below_a_pocket_over_a_sloping_underside_the_thinnest_place_counts() -> 
     block = cut(plate(60, 40, 20), prism([(-30, -20, -20), (30, -20, -20), (30, -20, -14)], (0, 40, 0)))
     (pocket,) = find(cut(block, box((20, 20, 5), (-10, -10, -5)))).of("pocket")
     assert 11 * MM < (pocket.bottom_thickness or 0.0) < 12 * MM
+
+
+def test_beside_a_hole_the_wall_counts_and_not_the_rounds_of_its_edges() -> None:
+    """A flange of 60 mm, its edges rounded over a third of its height each, and holes 4 mm from its wall."""
+    disc = cylinder(30, 12)
+    rounded = filleted(disc, 4, *rims(disc, 30, 0), *rims(disc, 30, 12))
+    holes = [cylinder(4, 12, (22 * math.cos(a), 22 * math.sin(a), 0)) for a in (0.0, 0.4, 1.7)]
+    distances = [hole.wall_distance for hole in find(cut(rounded, *holes)).of("hole")]
+    assert distances == pytest.approx([4 * MM] * 3)
+
+
+def test_beside_a_hole_the_sloping_face_that_it_opens_in_does_not_count() -> None:
+    block = prism([(-20, -15, 0), (20, -15, 0), (20, -15, 10), (-20, -15, 30)], (0, 30, 0))
+    (hole,) = find(cut(block, cylinder(3, 40, (12, 0, -1)))).of("hole")
+    assert hole.wall_distance == pytest.approx(5 * MM)
+
+
+def test_beside_a_hole_a_round_edge_of_the_whole_height_and_a_cone_count() -> None:
+    bar = fuse(box((60, 30, 10)), cylinder(5, 60, (0, 0, 5), (1, 0, 0)), cylinder(5, 60, (0, 30, 5), (1, 0, 0)))
+    (hole,) = find(cut(bar, cylinder(4, 10, (30, 5, 0)))).of("hole")
+    assert hole.wall_distance == pytest.approx(4 * MM, rel=1e-3)
+    (beside,) = find(cut(cone(30, 20, 20), cylinder(4, 20, (12, 0, 0)))).of("hole")
+    assert beside.wall_distance == pytest.approx(5 * MM, rel=1e-3)

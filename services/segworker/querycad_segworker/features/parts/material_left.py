@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
+from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.clearance import Ahead
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
@@ -26,8 +27,8 @@ so many: what lies behind a part of a rectangle is behind no middle of its two t
 AROUND = 16
 """Rays around a hole, every 22 degrees, at each of `LEVELS`: what is plane or round about a parallel axis is then met
 straight on, so that they need only find the face."""
-LEVELS = {(PartKind.HOLE,): (0.1, 0.9), (PartKind.COUNTERBORE, PartKind.SPOTFACE): (0.5, 0.9)}
-"""Shares of the depth of holes, and of what widens them: a broken outer edge may lie beside its mouth."""
+LEVELS = {(PartKind.HOLE,): (0.1, 0.5, 0.9), (PartKind.COUNTERBORE, PartKind.SPOTFACE): (0.5, 0.9)}
+"""Shares of the depth of holes, and of what widens them: a broken outer edge may lie beside their mouths."""
 SQUARE = 1e-3
 """Sine of the angle by which a face may lean and still run alongside a hole."""
 LEVEL_M = 1e-6
@@ -47,7 +48,7 @@ def with_material_left(parts: Sequence[Part], brep: Brep, mesh: Mesh | None, ahe
     below = _below(parts, brep, faces, mesh)
     beside: dict[int, float] = {}
     for kinds, levels in LEVELS.items():
-        beside |= _beside(parts, faces, kinds, levels)
+        beside |= _beside(parts, brep, faces, kinds, levels)
     result = []
     for i, part in enumerate(parts):
         found = {"bottom_thickness": below.get(i), "wall_distance": beside.get(i)}
@@ -62,11 +63,11 @@ class _Faces:
     def __init__(self, brep: Brep, ahead: Ahead) -> None:
         self.records = brep.faces
         self._ahead = ahead
-        self._plane = np.array([face.kind is SurfaceKind.PLANE for face in brep.faces])
-        self._round = np.array([face.kind is SurfaceKind.CYLINDER for face in brep.faces])
-        self._point = np.array([f.point if f.kind is SurfaceKind.PLANE else f.origin for f in brep.faces])
-        self._axis = np.array([face.axis for face in brep.faces])
-        self._radius = np.array([face.radius for face in brep.faces])
+        self.is_plane = np.array([face.kind is SurfaceKind.PLANE for face in brep.faces])
+        self.is_round = np.array([face.kind is SurfaceKind.CYLINDER for face in brep.faces])
+        self.point = np.array([f.point if f.kind is SurfaceKind.PLANE else f.origin for f in brep.faces])
+        self.axis = np.array([face.axis for face in brep.faces])
+        self.radius = np.array([face.radius for face in brep.faces])
 
     def met(self, starts: Reals, ways: Reals) -> tuple[Reals, Ids]:
         """How far ahead of each start, (N, 3), is the next surface, (N,), and which face is it, (N,)? -1: none."""
@@ -74,18 +75,18 @@ class _Faces:
             return np.zeros(0), np.zeros(0, dtype=np.int64)
         distances, faces = self._ahead(starts, ways)
         ids = faces.astype(np.int64)
-        axes, to_point = self._axis[ids], self._point[ids] - starts
+        axes, to_point = self.axis[ids], self.point[ids] - starts
         slope = np.einsum("ij,ij->i", axes, ways)
-        plane = self._plane[ids] & (ids >= 0) & (np.abs(slope) > SQUARE)
+        plane = self.is_plane[ids] & (ids >= 0) & (np.abs(slope) > SQUARE)
         distances = distances.astype(np.float64)
         distances[plane] = np.einsum("ij,ij->i", axes[plane], to_point[plane]) / slope[plane]
-        around = self._round[ids] & (ids >= 0) & (np.abs(slope) < SQUARE)
+        around = self.is_round[ids] & (ids >= 0) & (np.abs(slope) < SQUARE)
         if around.any():
             along = np.einsum("ij,ij->i", axes[around], to_point[around])
             level = to_point[around] - along[:, None] * axes[around]
             before = np.einsum("ij,ij->i", level, ways[around])
             off = (level**2).sum(axis=1) - before**2
-            root = np.sqrt(np.maximum(0.0, self._radius[ids[around]] ** 2 - off))
+            root = np.sqrt(np.maximum(0.0, self.radius[ids[around]] ** 2 - off))
             ends, near = np.stack([before - root, before + root]), distances[around]
             distances[around] = np.take_along_axis(ends, np.abs(ends - near).argmin(axis=0)[None], axis=0)[0]
         return distances, ids
@@ -257,11 +258,13 @@ def _halved(corners: Reals) -> Reals:
 
 
 def _beside(
-    parts: Sequence[Part], faces: _Faces, kinds: Sequence[PartKind], levels: Sequence[float]
+    parts: Sequence[Part], brep: Brep, faces: _Faces, kinds: Sequence[PartKind], levels: Sequence[float]
 ) -> dict[int, float]:
     """By index of a hole: from its wall to the nearest face outside, of those that belong to nothing that is cut in.
 
-    `kinds`: holes, or what widens them, looked at from these shares of their depth.
+    `kinds`: holes, or what widens them, looked at from these shares of their depth. What breaks an edge beside a hole,
+    and the face that it opens in, count only where nothing else is met in the same direction: how far they are is a
+    matter of the level.
     """
     holes = [i for i, part in enumerate(parts) if part.kind in kinds and part.depth and part.opening and part.normal]
     if not holes:
@@ -285,15 +288,46 @@ def _beside(
     axis_points = np.broadcast_to(middles[:, :, None], shape).reshape(-1, 3)
     rays = np.broadcast_to(ways[:, None], shape).reshape(-1, 3)
     which = np.repeat(np.array(holes, dtype=np.int64), len(levels) * AROUND)
+    at_ends = _AtEnds.of(parts, holes, brep)
     distances, ids, kept = _through(faces, owner, axis_points, rays, which)
-    found = _least(which[kept], distances, outside[ids])
-    straight = _straight(parts, faces, outside, which[kept], axis_points[kept], ids)
+    which, starts = which[kept], axis_points[kept]
+    directions = kept // (len(levels) * AROUND) * AROUND + kept % AROUND  # one number for all levels
+    ends = at_ends.holds(which, ids) & ~_alongside(parts, faces, which, ids)
+    met = directions[outside[ids] & ~ends & (distances > 0.0)]
+    counts = outside[ids] & ~(ends & np.isin(directions, met))
+    found = _least(which, distances, counts)
+    straight = _straight(parts, faces, counts, which, starts, ids)
     if straight is not None:
         which, starts, square = straight
         distances, ids, kept = _through(faces, owner, starts, square, which)
-        for i, nearer in _least(which[kept], distances, outside[ids]).items():
+        ends = at_ends.holds(which[kept], ids) & ~_alongside(parts, faces, which[kept], ids)
+        for i, nearer in _least(which[kept], distances, outside[ids] & ~ends).items():
             found[i] = min(nearer, found.get(i, nearer))
     return found
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _AtEnds:
+    """The faces that are nearest to a hole only at one end of it: what breaks edges, and what its mouths lie in."""
+
+    breaks: NDArray[np.bool_]
+    """By face."""
+    mouths: Ids
+    """Numbers of pairs, sorted: hole times the number of faces, plus face."""
+
+    @classmethod
+    def of(cls, parts: Sequence[Part], holes: Sequence[int], brep: Brep) -> _AtEnds:
+        """Those of these holes."""
+        breaks = np.array([face.outward > 0 and is_blend(brep, face) for face in brep.faces], dtype=np.bool_)
+        breaks[[face for part in parts if part.kind.breaks_edge for face in part.faces]] = True
+        pairs = {
+            i * len(brep.faces) + beside for i in holes for f in parts[i].faces for _, beside in brep.neighbours(f)
+        }
+        return cls(breaks, np.array(sorted(pairs), dtype=np.int64))
+
+    def holds(self, which: Ids, ids: Ids) -> NDArray[np.bool_]:
+        """Which of these faces are so of which holes, (N,)?"""
+        return (self.breaks[ids] & (ids >= 0)) | np.isin(which * len(self.breaks) + ids, self.mouths)
 
 
 def _through(faces: _Faces, owner: Ids, starts: Reals, ways: Reals, which: Ids) -> tuple[Reals, Ids, NDArray[np.intp]]:
@@ -305,25 +339,29 @@ def _through(faces: _Faces, owner: Ids, starts: Reals, ways: Reals, which: Ids) 
 
 
 def _straight(
-    parts: Sequence[Part], faces: _Faces, outside: NDArray[np.bool_], which: Ids, starts: Reals, ids: Ids
+    parts: Sequence[Part], faces: _Faces, counts: NDArray[np.bool_], which: Ids, starts: Reals, ids: Ids
 ) -> tuple[Ids, Reals, Reals] | None:
-    """The shortest ways from the holes' axes to the faces that run alongside, one for each hole and face met."""
+    """The shortest ways from holes' axes to the faces that run alongside, one for each hole and face that counts."""
+    counts = counts & _alongside(parts, faces, which, ids)
+    which, starts, ids = which[counts], starts[counts], ids[counts]
     _, first = np.unique(np.stack([which, ids]), axis=1, return_index=True)
-    first = first[outside[ids[first]]]
     if not len(first):
         return None
-    which, starts, records = which[first], starts[first], [faces.records[i] for i in ids[first].tolist()]
-    along = np.array([parts[i].normal for i in which.tolist()], dtype=np.float64)
-    axes: Reals = np.array([face.axis for face in records], dtype=np.float64)
-    slope = np.abs(np.einsum("ij,ij->i", axes, along))
-    plane = np.array([face.kind is SurfaceKind.PLANE for face in records]) & (slope < SQUARE)
-    coaxial = np.array([face.kind is SurfaceKind.CYLINDER for face in records]) & (slope > 1 - SQUARE**2 / 2)
-    apart = starts - np.array([face.origin for face in records])
+    which, starts, ids = which[first], starts[first], ids[first]
+    plane, axes = faces.is_plane[ids], faces.axis[ids]
+    apart = starts - faces.point[ids]
     aside = apart - np.einsum("ij,ij->i", apart, axes)[:, None] * axes
-    off = np.linalg.norm(aside, axis=1)
-    coaxial &= off > SQUARE * np.array([face.radius for face in records])
-    chosen = plane | coaxial
+    chosen = plane | (np.linalg.norm(aside, axis=1) > SQUARE * faces.radius[ids])
     return which[chosen], starts[chosen], np.where(plane[:, None], axes, _unit(aside))[chosen]
+
+
+def _alongside(parts: Sequence[Part], faces: _Faces, which: Ids, ids: Ids) -> NDArray[np.bool_]:
+    """Which of these faces are planes or cylinders that run along the hole, (N,)?"""
+    along = np.array([parts[i].normal for i in which.tolist()], dtype=np.float64).reshape(-1, 3)
+    slope = np.abs(np.einsum("ij,ij->i", faces.axis[ids], along))
+    found: NDArray[np.bool_] = faces.is_plane[ids] & (slope < SQUARE)
+    found |= faces.is_round[ids] & (slope > 1 - SQUARE**2 / 2)
+    return found
 
 
 def _unit(vectors: ArrayLike) -> Reals:
