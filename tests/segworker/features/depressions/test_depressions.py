@@ -73,6 +73,15 @@ def test_a_step_along_an_edge_is_a_step() -> None:
     assert step.depth == pytest.approx(5 * MM)
 
 
+def test_equal_corner_steps_have_one_depth_on_either_side_and_a_level_floor_stays_the_floor() -> None:
+    corners = [box((30, 15, 5), (x, y, -4)) for x in (-50, 20) for y in (-35, 20)]
+    found = find(cut(box((100, 70, 3), (-50, -35, -3)), *corners)).of("step")
+    assert [step.depth for step in found] == near(15, 15, 15, 15)
+    shoulders = [box((4, 100, 8), (x, -50, z)) for x in (-30, 26) for z in (-20, -8)]
+    found = find(cut(plate(), *shoulders)).of("step")
+    assert [step.depth for step in found] == near(8, 8, 8, 8)
+
+
 def test_a_protrusion_is_no_step_in_the_plate_around_it() -> None:
     found = find(fuse(plate(), box((20, 12, 5), (-10, -6, 0))))
     assert not found.of("step")

@@ -77,7 +77,8 @@ def group_depression(
         return special
     pair = lipped[2] if lipped else facing_pair([w for w in walls if w.kind is SurfaceKind.PLANE], floor.axis)
     if pair is not None and _is_bevel(brep, floor, pair):
-        floor = max(pair, key=lambda face: (dot(face.axis, (0.1, -0.2, 1.0)), face.area))
+        either = pair
+        floor = max(either, key=lambda face: _by_attitude(face, either))
         walls, pair = [brep.faces[i] for i in sorted(group) if i != floor.id], None
     if pair is None and (beveled := _between_bevels(graph, group, planes, links)) is not None:
         floor, above, pair = beveled
@@ -163,8 +164,8 @@ def _floor(
     """The plane that the most others stand on; of several, one that walls surround.
 
     The end of a slot bears as many walls as its floor: the larger one is the floor. In a corner of two or three
-    faces that are all alike, the one between two walls that face each other, the flat of a shaft where it is the
-    larger one, or facing top, then front, then right.
+    faces that are all alike, the one between two walls that face each other, or the flat of a shaft where it is the
+    larger one; else `_by_attitude` decides.
     """
     most = max(len(links[face.id]) for face in planes)
     largest = max(face.area for face in planes)
@@ -179,11 +180,25 @@ def _floor(
             pair is not None,
             size,
             face.area >= largest and depth_of_flat(graph.brep, face) is not None,
-            dot(face.axis, (0.1, -0.2, 1.0)),
-            face.area,
+            *_by_attitude(face, planes),
         )
 
     return max(planes, key=rank)
+
+
+def _by_attitude(face: FaceRecord, planes: Sequence[FaceRecord]) -> tuple[float, ...]:
+    """Which of the planes of a corner is its floor, where nothing else tells them apart? The largest tuple is.
+
+    A level one, whether it looks up or down, then the larger one, so that equal corners have equal depths on whichever
+    side of the part they are. Where these are alike too: facing top, then front, then right.
+    """
+    largest = max(plane.area for plane in planes)
+    return (
+        round(abs(face.axis[2]), 2),
+        round(face.area / largest, 2),
+        dot(face.axis, (0.1, -0.2, 1.0)),
+        face.area,
+    )
 
 
 def _is_surrounded(brep: Brep, face: FaceRecord, group: set[int]) -> bool:
