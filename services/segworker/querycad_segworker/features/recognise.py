@@ -257,15 +257,23 @@ def _cut_in(
     tolerances: Tolerances,
     is_clear: IsClear,
 ) -> list[Depression]:
-    """Depressions; what a ball leaves is none, nor are chamfers steps, nor gaps between teeth slots of their own."""
+    """Depressions; what a ball leaves is none, nor where chamfers meet, nor gaps between teeth slots of their own."""
     hole_faces = {face for hole in round_.holes for face in hole.faces}
     found = recognise_depressions(brep, hole_faces, tolerances, is_clear, round_.walls)
     found = _outside("cutout", found, [frozenset(dimple.faces) for dimple in dimples], "it is what a ball leaves")
-    found = [cut for cut in found if cut.kind is not DepressionKind.STEP or not chamfers >= set(cut.faces)]
+    found = [cut for cut in found if not (chamfers >= set(cut.faces) and _is_corner(brep, cut))]
     found += [with_open_ends(outlet, is_clear) for outlet in recognise_outlets(brep, found)]
     found += recognise_clevises(brep, recognise_lugs(brep, tolerances), found, is_clear)
     toothed = [frozenset(record.faces) for own in (round_.gears, round_.knurls) for record in own]
     return _outside("slot", found, toothed, "it is the gap between two teeth")
+
+
+def _is_corner(brep: Brep, cut: Depression) -> bool:
+    """Is it a step, or do its faces meet? Not the flanks of a V that a relief slot parts."""
+    own = set(cut.faces)
+    return cut.kind is DepressionKind.STEP or any(
+        not own.isdisjoint(brep.beside(f, EdgeConvexity.CONCAVE)) for f in own
+    )
 
 
 def _turned_in(

@@ -7,6 +7,22 @@ from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.TopoDS import TopoDS_Edge
 from tests.segworker.shapes import box, compound, cut, cylinder, edges, filleted, find, fuse, nurbs, plate, turned
 
+
+from tests.segworker.shapes import (
+    box,
+    chamfered,
+    compound,
+    cut,
+    cylinder,
+    edges,
+    find,
+    fuse,
+    nurbs,
+    plate,
+    prism,
+    turned,
+)
+
 from querycad_contracts import Part, Side
 
 MM = 1e-3
@@ -80,6 +96,23 @@ def test_equal_corner_steps_have_one_depth_on_either_side_and_a_level_floor_stay
     shoulders = [box((4, 100, 8), (x, -50, z)) for x in (-30, 26) for z in (-20, -8)]
     found = find(cut(plate(), *shoulders)).of("step")
     assert [step.depth for step in found] == near(8, 8, 8, 8)
+
+
+def test_a_groove_that_runs_out_into_a_step_as_deep_is_as_long_as_its_walls() -> None:
+    groove = only(find(cut(plate(), box((60, 15, 3), (-30, 5, -3)), box((2, 40, 3), (-1, -20, -3)))).of("slot"))
+    assert [groove.length, groove.width, groove.depth] == near(25, 2, 3)
+    neck = only(find(cut(plate(), box((60, 6, 3), (-30, -3, -3)), box((60, 16, 4), (-30, -8, -7)))).of("slot"))
+    assert ("t_slot" in neck.tags, [neck.length, neck.width, neck.depth]) == (True, near(60, 6, 7))
+
+
+def test_chamfers_that_meet_in_an_inner_corner_are_no_v_slot_and_a_v_beside_them_is_one() -> None:
+    corner = cut(plate(), box((40, 30, 40), (0, 0, -30)))
+    curves = {edge: BRepAdaptor_Curve(edge) for edge in edges(corner)}
+    top = [e for e, c in curves.items() if abs(c.Value((c.FirstParameter() + c.LastParameter()) / 2).Z()) < 1e-6]
+    shape = chamfered(corner, 0.7, *top)
+    assert not find(shape).of("slot")
+    vee = prism([(-20, -30, 1), (-12, -30, 1), (-16, -30, -3)], (0, 60, 0))
+    assert only(find(cut(shape, vee)).of("slot")).depth == pytest.approx(3 * MM)
 
 
 def test_a_protrusion_is_no_step_in_the_plate_around_it() -> None:

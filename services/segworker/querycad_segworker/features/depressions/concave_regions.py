@@ -47,6 +47,8 @@ CROSSING = 0.5
 LEANS_BACK = math.sin(math.radians(29.5))
 """A step's wall stands up from its floor: one that leans back by 30 degrees or more, as the sides of a hexagon do to
 each other, is the next side of the body."""
+RUNS_OUT = 1.5
+"""A floor so many times as wide as the gap between two walls goes on beyond them, as that of a lower step."""
 CHANNEL_SHARE = 0.5
 """A slot wider than this share of its body is the inside of a channel section, not a slot in something."""
 
@@ -370,7 +372,8 @@ def slot_between(
 ) -> Depression | None:
     """A slot, channel or notch: a floor between two walls that face each other.
 
-    Where those stand in the group, as two ribs or gussets do, it is as long and high as both go side by side.
+    Where those stand in the group, as two ribs or gussets do, or its floor runs out into a wider one, as that of a
+    lower step, it is as long and high as both go side by side.
     """
     brep = graph.brep
     along = unit(cross(pair[0].axis, floor.axis))
@@ -378,15 +381,17 @@ def slot_between(
     at_mouth: Sequence[FaceRecord] = pair
     length = frame.size[0]
     width = gap_between(brep, pair, floor)
+    runs_out = frame_of(brep, {floor.id}, floor.axis, None, along).size[1] > RUNS_OUT * width
+    behind = {wall.id for wall in walls for side in pair if _are_back_to_back(wall, side)}
     undercuts = undercut(brep, group, floor, pair)
     if undercuts is not None:
         width = undercuts.neck_width
         group = group | undercuts.neck
         frame = frame_of(brep, group, floor.axis, None, along)
         at_mouth = brep.of_kind(SurfaceKind.PLANE, undercuts.neck) or pair
-    elif behind := {wall.id for wall in walls for side in pair if _are_back_to_back(wall, side)}:
+    elif behind or runs_out:
         between = _between(brep, floor, pair, along)
-        if reaches(width, min(between.size[0], between.size[2])):
+        if behind and reaches(width, min(between.size[0], between.size[2])):
             refuse("slot", group, "the room between two walls that are farther apart than they are long or high")
             return None
         frame, length = between, between.size[0]
