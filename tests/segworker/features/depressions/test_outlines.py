@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeFace, BRepBuilderAPI_MakeWire
+from OCP.BRepOffsetAPI import BRepOffsetAPI_MakePipe
+from OCP.collections import Array1_gp_Pnt
+from OCP.Geom import Geom_BezierCurve
+from OCP.gp import gp_Ax2, gp_Circ, gp_Dir, gp_Pnt
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import box, cut, cylinder, filleted, find, fuse, plate, prism, shifted, upright
+from tests.segworker.shapes import Vec, box, cut, cylinder, filleted, find, fuse, plate, prism, shifted, upright
 
 from querycad_contracts import Part
 
@@ -73,3 +79,22 @@ def test_a_tab_that_hangs_out_of_a_cover_is_none_of_its_inside() -> None:
 def test_a_block_inside_a_cover_leaves_its_measures() -> None:
     inside = only(find(cover(box((10, 10, 6), (-48, -5, 4)))).of("pocket"))
     assert [inside.length, inside.width, inside.depth] == near(96, 56, 13)
+
+
+def swept(path: Sequence[Vec], radius: float) -> TopoDS_Shape:
+    """A bar along a Bezier curve that begins along z; millimetres."""
+    poles = Array1_gp_Pnt(1, len(path))
+    for i, point in enumerate(path, start=1):
+        poles.SetValue(i, gp_Pnt(*point))
+    spine = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(Geom_BezierCurve(poles)).Edge()).Wire()
+    ring = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(*path[0]), gp_Dir(0, 0, 1), gp_Dir(0, 1, 0)), radius)).Edge()
+    return BRepOffsetAPI_MakePipe(spine, BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(ring).Wire()).Face()).Shape()
+
+
+def test_the_inside_of_a_tube_bent_along_a_curve_is_no_cutout_and_a_bent_window_in_a_plate_is_one() -> None:
+    path = [(0.0, 0.0, 0.0), (0.0, 0.0, 80.0), (200.0, 0.0, 180.0)]
+    tube = find(cut(swept(path, 20), swept(path, 18)))
+    assert not tube.of("cutout")
+    assert any("ends aside" in one.reason for one in tube.refused)
+    leaning = swept([(0.0, 0.0, -30.0), (0.0, 0.0, -10.0), (8.0, 0.0, 10.0)], 10)
+    assert len(find(cut(plate(), leaning)).of("cutout")) == 1

@@ -17,7 +17,7 @@ from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, sub, unit
+from querycad_segworker.vectors import cross, dist, dot, foot, mean, norm, parallel, scale, span, sub, unit
 
 from .cavities import recognise_cavities
 from .concave_regions import group_depression
@@ -186,12 +186,28 @@ def _closed(
     frame = frame_of(brep, group, normal, rim if outline != "free" else None)
     mouth = frame if inside == group or not inside | floors else frame_of(brep, inside | floors, normal, None, frame.u)
     kind = DepressionKind.POCKET if floors else DepressionKind.PASSAGE
+    if around is None and kind is DepressionKind.PASSAGE and _leads_aside(brep, rim, group, normal):
+        refuse("cutout", group, "it ends aside of where it begins, as the inside of a bent tube does")
+        return None
     found = depression_in(kind, outline, frame, group, tuple(sorted(floors)), host.body)
     found = replace(found, corner_radius=corner, length=mouth.size[0], width=mouth.size[1])
     bow = bow_of([brep.edges[e] for e in rim.edges], tolerances) if outline == "curved" else None
     if bow is not None:
         return replace(found, length=bow.radius * bow.angle + bow.width, width=bow.width, angle=bow.angle)
     return _around_island(brep, found) or found
+
+
+def _leads_aside(brep: Brep, rim: Loop, group: set[int], normal: Vector) -> bool:
+    """Does what begins at a rim end beside it: does its far end lie more than the rim's width off to one side?"""
+    far = [
+        e for i in group for e in brep.face_edges[i] if e not in rim.edges and not group.issuperset(brep.edges[e].faces)
+    ]
+    if not far:
+        return False
+    middle = mean([brep.edges[e].mid for e in rim.edges])
+    reach = max(dist(p, middle) for e in rim.edges for p in brep.edge_points[e])
+    off = sub(mean([brep.edges[e].mid for e in far]), middle)
+    return norm(sub(off, scale(normal, dot(off, normal)))) > 2 * reach
 
 
 def _around_island(brep: Brep, pocket: Depression) -> Depression | None:
