@@ -12,6 +12,12 @@ from tests.segworker.shapes import box, cut, cylinder, find, fuse, plate, prism,
 MM = 1e-3
 
 
+import math
+
+import pytest
+from tests.segworker.shapes import box, cut, cylinder, find, fuse, plate, prism, turned
+
+
 def test_a_block_is_as_high_as_its_own_top_and_a_block_with_a_step_as_its_highest() -> None:
     base = fuse(plate(80, 60, 5), box((60, 40, 10), (-30, -20, 0)))
     (block,) = find(fuse(base, cylinder(12, 15, (0, 0, 10)))).of("protrusion")
@@ -79,3 +85,29 @@ def test_a_rib_is_in_the_middle_of_its_flanks_whether_they_have_draft_or_not(lea
         assert (*rib.center[1:], rib.extents[2]) == pytest.approx((30 * MM, 15 * MM, 30 * MM))
     placed = sorted(rib.center for rib in find(turned(shape, (1, 2, 3), 35)).of("rib"))
     assert [dist(a, b) for a, b in pairwise(placed)] == pytest.approx(8 * [8 * MM])
+
+
+def test_the_side_of_a_block_is_no_rib_where_a_lug_touches_it_and_one_on_a_longer_foot_is() -> None:
+    walled = fuse(box((60, 30, 4)), box((60, 1.2, 16)))
+    for lug, ribs in ((14, 0), (30, 1)):
+        assert len(find(fuse(walled, box((lug, 5, 6), (20, -5, 0)))).of("rib")) == ribs
+    crossed = fuse(plate(), box((50, 2, 10), (-25, -1, 0)), box((2, 30, 10), (-1, -15, 0)))
+    assert len(find(crossed).of("rib")) == 4
+
+
+@pytest.mark.parametrize("degrees", [0.0, 37.0, 90.0, 180.0])
+def test_a_pad_on_a_tube_is_as_high_as_it_stands_off_it_and_looks_away_from_the_axis(degrees: float) -> None:
+    sides = [box((40, 40, 60), (-20, y, -10)) for y in (-45.4, 5.4)]
+    shell = cut(cylinder(10.8, 14, (0, 0, 12)), *sides, box((20, 40, 60), (0, -20, -10)))
+    for pad, height in ((shell, 0.0008), (box((11, 10, 14), (-11, -5, 12)), 0.001)):
+        (found,) = find(turned(fuse(cylinder(10, 40), pad), (0, 0, 1), degrees)).of("protrusion")
+        assert (found.height, found.length) == pytest.approx((height, 0.014))
+        turn = math.radians(degrees)
+        assert found.normal == pytest.approx((-math.cos(turn), -math.sin(turn), 0), abs=1e-9)
+
+
+def test_a_key_in_a_bore_is_as_high_as_it_stands_out_of_the_wall_and_looks_to_the_axis() -> None:
+    tube = cut(cylinder(20, 40), cylinder(15, 40))
+    (key,) = find(fuse(tube, box((5, 6, 20), (-17, -3, 10)))).of("protrusion")
+    assert (key.height, key.length, key.width) == pytest.approx((0.003, 0.02, 0.006))
+    assert key.normal == pytest.approx((1, 0, 0))

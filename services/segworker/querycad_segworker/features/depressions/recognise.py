@@ -17,7 +17,7 @@ from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dist, dot, foot, mean, norm, parallel, scale, span, sub, unit
+from querycad_segworker.vectors import cross, dist, dot, foot, mean, norm, parallel, scale, sub, unit
 
 from .cavities import recognise_cavities
 from .concave_regions import group_depression

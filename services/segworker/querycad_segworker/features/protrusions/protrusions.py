@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.axes import Axis
-from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
+from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.reach import edges_span
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.features.shared.walls import REVOLVED
 from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
-from querycad_segworker.vectors import dot
+from querycad_segworker.vectors import add, cross, dot, foot, mean, norm, scale, sub, unit
 
 RIB_RATIO = 3.0
 """A protrusion this much longer than thick is a rib, fin or wall."""
 
+MOST_AROUND = 0.5
+"""The middle of a loop that goes most of the way around a cylinder lies nearer to the axis than this share of the
+radius: it has no side."""
 AS_LARGE = 0.9
 """The top of a protrusion is at least this share as long and wide as its outline: chamfers and drafts take the rest."""
 
@@ -62,8 +66,8 @@ def recognise_protrusions(brep: Brep, round_faces: Collection[int], tolerances: 
                 refuse("protrusion", group, "a step or groove turned about an axis")
             elif not _is_minor(brep, face, group):
                 refuse("protrusion", group, "it is more than half of its body: the rest stands on it")
-            else:
-                found.append(_protrusion(brep, face, loop, group, tolerances))
+            elif (protrusion := _protrusion(brep, face, loop, group, tolerances)) is not None:
+                found.append(protrusion)
     return sorted(found, key=lambda p: p.faces[0])
 
 
@@ -120,15 +124,26 @@ def _fillets(brep: Brep, loop: Loop) -> set[int]:
     return {i for e in loop.edges for i in brep.edges[e].faces if brep.edges[e].convexity is EdgeConvexity.SMOOTH}
 
 
-def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], tolerances: Tolerances) -> Protrusion:
-    normal = host.axis if host.outward == 0 and host.axis != (0.0, 0.0, 0.0) else host.point_normal
+def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], tolerances: Tolerances) -> Protrusion | None:
+    """What stands on the host, None without a height. On a cylinder it stands off the axis, its height is radial."""
+    is_round = host.kind is SurfaceKind.CYLINDER
+    if is_round:
+        normal = _off_axis(brep, host, loop)
+    else:
+        normal = host.axis if host.outward == 0 and host.axis != (0.0, 0.0, 0.0) else host.point_normal
     frame = frame_of(brep, group, normal, loop)
     fillets = _fillets(brep, loop)
     if group - fillets:  # as high as it stands on the host, as wide as it is above the fillet at its foot
         above = frame_of(brep, group - fillets, normal, loop)
         low, size = (*above.low[:2], frame.low[2]), (*above.size[:2], frame.size[2])
         frame = LocalFrame(above.u, above.v, above.n, low, size)
-    frame = _from_its_foot(brep, _up_to_its_top(brep, frame, group), loop)
+    if is_round:
+        frame = _up_to_its_top(brep, _from_the_wall(brep, host, frame, group), group)
+    else:
+        frame = _from_its_foot(brep, _up_to_its_top(brep, frame, group), loop)
+    if frame.size[2] <= 10 * tolerances.length:
+        refuse("protrusion", group, "it has no height")
+        return None
     outline, _ = outline_of(brep, loop, tolerances)
     length, width, height = frame.size
     return Protrusion(
@@ -143,6 +158,27 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
         faces=tuple(sorted(group)),
         tags=tags_of(length, width, height),
     )
+
+
+def _off_axis(brep: Brep, host: FaceRecord, loop: Loop) -> Vector:
+    """Which way is out of a cylinder in the middle of a loop in it? Unit vector; inwards in a bore."""
+    points = [sub(p, foot(p, host.origin, host.axis)) for e in loop.edges for p in brep.edge_points[e]]
+    towards = mean(points)
+    if norm(towards) <= MOST_AROUND * host.radius:
+        return host.point_normal
+    towards = unit(towards)
+    across = cross(host.axis, towards)
+    turns = [math.atan2(dot(p, across), dot(p, towards)) for p in points]
+    turn = (min(turns) + max(turns)) / 2
+    return scale(add(scale(towards, math.cos(turn)), scale(across, math.sin(turn))), float(host.outward))
+
+
+def _from_the_wall(brep: Brep, host: FaceRecord, frame: LocalFrame, group: Collection[int]) -> LocalFrame:
+    """The same frame, from the wall of a cylinder in its middle, as high as the group is radially."""
+    axis = Axis.of(host)
+    height = max(host.outward * (axis.radius_of(p) - host.radius) for p in face_points(brep, group))
+    low = (*frame.low[:2], dot(host.origin, frame.n) + host.outward * host.radius)
+    return LocalFrame(frame.u, frame.v, frame.n, low, (*frame.size[:2], max(height, 0.0)))
 
 
 def _from_its_foot(brep: Brep, frame: LocalFrame, loop: Loop) -> LocalFrame:

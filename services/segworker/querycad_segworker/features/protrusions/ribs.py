@@ -31,6 +31,9 @@ NARROW = math.radians(30.0)
 LOW, LONG = 1 / 3, 5.0
 """What is lower than thick is a rib as long as it is higher than this share of its thickness and so many times longer
 than thick: ribs of moulded parts, and ridges. Lower still are strips and pads."""
+TOUCHED = 1 / 3
+"""A rib stands on at least this share of its length on either side: a wall that a lug or block touches goes on past
+that on both sides, so the lug takes less than a third of it."""
 FOOTED = 0.5
 """A low rib stands on more than this share of its length: a pin beside a notch stands on its end."""
 OWN = 1.5
@@ -144,8 +147,12 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
     if thickness <= 0 or length <= 0:
         return None
     small = all(flank.area < OWN * height * length for flank in flanks)
-    stands = all(sum(run for run, _ in _feet(brep, f, top)) > FOOTED * length for f in flanks if f.id in own)
-    is_ridge = small and stands and ratio >= RIB_RATIO and height > LOW * thickness and length > LONG * thickness
+    stands = min(sum(run for run, _ in _feet(brep, f, top)) for f in flanks if f.id in own) / length
+    if stands < TOUCHED:
+        refuse("rib", {top.id, *own}, "what it stands on is short: a wall that something touches")
+        return None
+    may_be_low = small and stands > FOOTED and ratio >= RIB_RATIO
+    is_ridge = may_be_low and height > LOW * thickness and length > LONG * thickness
     if (height < thickness and not is_ridge) or length < ratio * thickness:
         short = "high" if height < thickness else "long"
         refuse("rib", {top.id, *own}, f"it is too thick for what it is {short}")
