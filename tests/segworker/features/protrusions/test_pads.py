@@ -198,3 +198,16 @@ def test_the_lower_wall_of_a_window_is_no_top_of_a_pad() -> None:
     wedge = prism([(0, 0, 32), (44, 0, 32), (44, 0, 50), (0, 0, 60)], (0, 25, 0))
     assert pads(cut(fuse(BAR, wedge), window)) == []
     assert pads(cut(fuse(BAR, box((44, 25, 28), (0, 0, 32))), window)) == [(44, 25, 28)]
+
+
+def test_the_room_of_a_pocket_with_deeper_pockets_in_its_floor_is_no_ledge() -> None:
+    shallow = cut(plate(60, 100, 25), box((50, 90, 2), (-25, -45, -2)))
+    found = find(cut(shallow, box((30, 30, 12), (-15, -40, -14)), box((44, 20, 2), (-22, 10, -4))))
+    assert (len(found.of("pocket")), found.of("elevation")) == (3, [])
+
+
+def test_a_plate_beyond_what_stands_across_it_is_no_ledge_and_the_tines_of_one_are() -> None:
+    shape = fuse(box((100, 80, 25)), box((10, 80, 30), (70, 0, 25)))
+    assert not find(shape).of("elevation")
+    tines = find(cut(shape, box((10, 30, 40), (90, 25, -5)))).of("elevation")
+    assert [tine.local_size for tine in tines] == [pytest.approx((0.025, 0.025, 0.01))] * 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
 
@@ -38,6 +39,8 @@ _WALLS = (PartKind.WALL, PartKind.FLOOR, PartKind.RIB)
 _LEAVING = (PartKind.SLOT, PartKind.POCKET, PartKind.NOTCH)
 UNDERCUT = frozenset(("t_slot", "dovetail"))
 """Slots that are wider below their mouth."""
+SAME = 1e-3
+"""Lengths that differ by less than this share are one: files are exact, but for what converting them rounds."""
 TAKEN = 0.5
 """A ledge with more than this share of its surface, or with its largest face, in a part is that part."""
 BAR_RATIO = 3.0
@@ -86,7 +89,8 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
 
     What has no face but those of one cut is what the cut leaves: the shaft beyond a keyway, the lip of a T slot. So is
     what rises only from the walls of slots narrower than itself, or undercut ones, and what rises along the rims of
-    thin walls: their outline. A ledge is as thick as the lesser side of its foot.
+    thin walls: their outline. A plate beyond what stands on it is that plate. A ledge is as thick as the lesser side of
+    its foot.
     """
     standing = [part for part in parts if part.kind.stands_out or part.kind in _MADE_OF_PIECES]
     number = sum(part.kind is PartKind.ELEVATION for part in parts)
@@ -107,6 +111,8 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
         shared = [(part, set(ledge.faces).intersection(part.faces)) for part in standing]
         same = (faces for part, faces in shared if part.kind is not PartKind.PRISM or _is_most(brep, faces, part))
         if any(largest in faces or faces_area(brep, faces) > TAKEN * whole for faces in same):
+            continue
+        if any(_is_strip_of(ledge, part) for part in standing if part.kind is PartKind.PRISM and "plate" in part.tags):
             continue
         part = protrusion_part(brep, ledge, number + len(found) + 1, volumes, PartKind.ELEVATION)
         found.append(part.model_copy(update={"tags": (*part.tags, "ledge"), "thickness": ledge.width}))
@@ -136,6 +142,15 @@ def _is_left_by_slots(ledge: Protrusion, leaving: Mapping[int, Sequence[Part]]) 
         )
         for foot in ledge.feet
     )
+
+
+def _is_strip_of(ledge: Protrusion, plate: Part) -> bool:
+    """Is it a strip of this plate, as thick as that and along its full length or width?"""
+    if plate.local_size is None or not set(ledge.faces) <= set(plate.faces):
+        return False
+    *sides, thickness = plate.local_size
+    whole = any(math.isclose(ledge.length, side, rel_tol=SAME) for side in sides)
+    return whole and math.isclose(ledge.width, thickness, rel_tol=SAME)
 
 
 def _is_most(brep: Brep, faces: Collection[int], part: Part) -> bool:

@@ -219,7 +219,7 @@ def _feet(brep: Brep, host: FaceRecord) -> Iterator[_Foot]:
 
 
 def _piece(side: _Beyond, feet: Sequence[_Foot], faces: frozenset[int], edges: frozenset[int]) -> _Piece | None:
-    """The piece on these feet; None where it does not lie behind them, or has no height."""
+    """The piece on these feet; None where it does not lie behind them, has no height, or is a void."""
     fillets = frozenset(fillet for _, _, fillet in feet if fillet is not None)
     flush = frozenset(face for face in faces if side.is_flush(face))
     if not faces - flush - fillets:
@@ -231,10 +231,17 @@ def _piece(side: _Beyond, feet: Sequence[_Foot], faces: frozenset[int], edges: f
     middle = frame.point(0.5, 0.5, 0.5)
     whole = sum(edge.length for edge, _, _ in feet)
     behind = sum(edge.length for edge, wall, _ in feet if dot(sub(middle, wall.point), wall.axis) < 0)
-    if behind < BEHIND * whole:
+    if behind < BEHIND * whole or _is_void(side, faces, frame.size[2]):
         return None
     walls = tuple((edge, wall) for edge, wall, _ in feet)
     return _Piece(side.normal, side.hosts, walls, fillets, faces, flush, frame)
+
+
+def _is_void(side: _Beyond, faces: Collection[int], height: float) -> bool:
+    """Does what lies beyond the level end at walls that look back at it? It is the room of a pocket, not material."""
+    planes = side.brep.of_kind(SurfaceKind.PLANE, sorted(faces))
+    looks = [dot(face.axis, side.normal) for face in planes if side.height(face.point) > height - side.near]
+    return min(looks, default=0.0) < -FACING.parallel and max(looks) < FACING.parallel
 
 
 def _frame(side: _Beyond, edges: Collection[int], foot: EdgeRecord) -> LocalFrame:
