@@ -8,7 +8,20 @@ import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.GeomAbs import GeomAbs_CurveType
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
-from tests.segworker.shapes import Vec, box, cut, cylinder, edges, extruded, filleted, find, fuse, plate, turned
+from tests.segworker.shapes import (
+    Vec,
+    box,
+    cut,
+    cylinder,
+    edges,
+    extruded,
+    filleted,
+    find,
+    fuse,
+    plate,
+    turned,
+    upright,
+)
 
 from querycad_contracts import Part
 
@@ -81,14 +94,19 @@ def test_a_step_across_a_block_with_round_ends_is_one() -> None:
     assert step.depth == pytest.approx(10 * MM)
 
 
+def middle(edge: TopoDS_Edge) -> Vec:
+    curve = BRepAdaptor_Curve(edge)
+    at = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2)
+    return at.X(), at.Y(), at.Z()
+
+
 def lines(shape: TopoDS_Shape, level: float, within: float) -> list[TopoDS_Edge]:
     """The straight edges along x or y at a height, no farther than that from the middle."""
     found = []
     for edge in edges(shape):
-        curve = BRepAdaptor_Curve(edge)
-        at = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2)
-        straight = curve.GetType() == GeomAbs_CurveType.GeomAbs_Line
-        if straight and abs(at.Z() - level) < 1e-6 and max(abs(at.X()), abs(at.Y())) < within:
+        x, y, z = middle(edge)
+        straight = BRepAdaptor_Curve(edge).GetType() == GeomAbs_CurveType.GeomAbs_Line
+        if straight and abs(z - level) < 1e-6 and max(abs(x), abs(y)) < within:
             found.append(edge)
     return found
 
@@ -104,3 +122,17 @@ def test_a_step_with_rounded_feet_is_one(corner: bool) -> None:
     block = cut(plate(), box((40 if corner else 70, 10, 5), (-5 if corner else -35, 12, -5)))
     (step,) = find(filleted(block, 2, *lines(block, -5, 19))).of("step")
     assert step.depth == pytest.approx(5 * MM)
+
+
+def test_a_step_that_also_cuts_into_a_round_edge_is_one() -> None:
+    rounded = fuse(plate(), cylinder(6, 40, (30, -20, -9), (0, 1, 0)))
+    (step,) = find(cut(rounded, box((80, 15, 5), (-40, 10, -5)))).of("step")
+    assert step.depth == pytest.approx(5 * MM)
+
+
+def test_the_sides_of_a_bent_bar_are_no_cut() -> None:
+    """They meet at 150 degrees, over a fillet."""
+    outline = [(0, 0), (40, 0), (75, 20), (70, 29), (38, 10), (0, 10)]
+    bar = extruded(outline, 0, 30)
+    inside = [edge for edge in upright(bar) if math.dist(middle(edge), (38, 10, 15)) < 1e-6]
+    assert not [part for part in find(filleted(bar, 8, *inside)).parts if part.kind.cuts_in]

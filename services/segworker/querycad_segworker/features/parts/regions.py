@@ -13,6 +13,7 @@ from querycad_segworker.features.blends.rolling_balls import normal_at
 from querycad_segworker.features.depressions.concave_regions import LEANS_BACK
 from querycad_segworker.features.depressions.depression import DepressionKind, depression_in
 from querycad_segworker.features.protrusions.protrusions import Protrusion, tags_of
+from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.extruded_walls import section_of
 from querycad_segworker.features.shared.face_regions import UPRIGHT, Moments, Region, closed_regions
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
@@ -129,9 +130,12 @@ class _Maker:
         return [self.brep.faces[face] for face in sorted(region.faces)]
 
     def _is_outside(self, region: Region) -> bool:
-        """Do only planes make it that lean back from each other, so that none is a wall, or the flat of a D shaft?"""
-        faces = self._faces(region)
-        if any(face.kind is not SurfaceKind.PLANE for face in faces):
+        """Do only planes make it that lean back from each other, over fillets too, or the flat of a D shaft?
+
+        None of them is a wall.
+        """
+        faces = [face for face in self._faces(region) if not is_blend(self.brep, face)]
+        if len(faces) < 2 or any(face.kind is not SurfaceKind.PLANE for face in faces):
             return False
         leaning = all(dot(a.axis, b.axis) > LEANS_BACK for a, b in combinations(faces, 2))
         return leaning or (len(faces) == 2 and any(is_d(self.brep, a, b) for a, b in permutations(faces)))

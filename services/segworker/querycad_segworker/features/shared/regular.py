@@ -197,9 +197,13 @@ def is_d(brep: Brep, flat: FaceRecord, shoulder: FaceRecord) -> bool:
 
     Two flats, across which a wrench takes hold, make no D.
     """
-    rounds = [(e, brep.faces[i]) for e, i in brep.neighbours(flat.id) if brep.faces[i].kind is SurfaceKind.CYLINDER]
-    along = any(e.kind is EdgeKind.LINE and parallel(wall.axis, shoulder.axis, UPRIGHT) for e, wall in rounds)
-    if not along or depth_of_flat(brep, flat) is None:
+    beside = (
+        brep.faces[other]
+        for edge, other in brep.neighbours(flat.id)
+        if edge.kind is EdgeKind.LINE and parallel(edge.direction, shoulder.axis, UPRIGHT)
+    )
+    round_ = all(f.kind is SurfaceKind.CYLINDER and parallel(f.axis, shoulder.axis, UPRIGHT) for f in beside)
+    if not round_ or depth_of_flat(brep, flat) is None:
         return False
     others = brep.of_kind(SurfaceKind.PLANE, brep.bodies[flat.body].faces)
     opposed = (other for other in others if dot(other.axis, flat.axis) < 0 and parallel(other.axis, flat.axis, UPRIGHT))
