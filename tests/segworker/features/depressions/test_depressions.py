@@ -5,9 +5,6 @@ from __future__ import annotations
 import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.TopoDS import TopoDS_Edge
-from tests.segworker.shapes import box, compound, cut, cylinder, edges, filleted, find, fuse, nurbs, plate, turned
-
-
 from tests.segworker.shapes import (
     box,
     chamfered,
@@ -15,6 +12,7 @@ from tests.segworker.shapes import (
     cut,
     cylinder,
     edges,
+    filleted,
     find,
     fuse,
     nurbs,

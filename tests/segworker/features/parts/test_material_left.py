@@ -5,9 +5,6 @@ from __future__ import annotations
 import math
 
 import pytest
-from tests.segworker.shapes import DOWN, box, cone, cut, cylinder, find, fuse, plate, prism, scaled, turned
-
-
 from tests.segworker.shapes import (
     DOWN,
     box,

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from math import dist
 
 import pytest
 from tests.segworker.shapes import box, cut, cylinder, find, fuse, plate, prism, turned
 
-
 MM = 1e-3
-
-
-import math
-
-import pytest
-from tests.segworker.shapes import box, cut, cylinder, find, fuse, plate, prism, turned
 
 
 def test_a_block_is_as_high_as_its_own_top_and_a_block_with_a_step_as_its_highest() -> None:

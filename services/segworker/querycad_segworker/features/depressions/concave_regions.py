@@ -18,12 +18,13 @@ from querycad_segworker.features.shared.extruded_walls import (
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
 from querycad_segworker.features.shared.reach import faces_span
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.features.shared.regular import depth_of_flat, is_d
+from querycad_segworker.features.shared.regular import is_d
 from querycad_segworker.tolerances import FACING, Tolerances, exceeds, reaches, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, parallel, scale, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
+from .floors import by_attitude, floor_of, is_surrounded
 from .outlets import held_floor
 from .slot_sections import (
     DRAFT_RAD,
@@ -72,7 +73,7 @@ def group_depression(
     own_links = {face.id: _wall_links(graph, face.id, group) for face in planes}
     links = _links_by_plane(planes, own_links)
     lipped = _under_lips(graph, group, planes, own_links, links)
-    floor = lipped[0] if lipped else _floor(graph, group, planes, links)
+    floor = lipped[0] if lipped else floor_of(graph, group, planes, links)
     walls = [brep.faces[i] for i in sorted(lipped[1] if lipped else links[floor.id])]
     special = v_slot(brep, group, planes) or woodruff(brep, group, planes)
     if special is not None or not walls:
@@ -80,7 +81,7 @@ def group_depression(
     pair = lipped[2] if lipped else facing_pair([w for w in walls if w.kind is SurfaceKind.PLANE], floor.axis)
     if pair is not None and _is_bevel(brep, floor, pair):
         either = pair
-        floor = max(either, key=lambda face: _by_attitude(face, either))
+        floor = max(either, key=lambda face: by_attitude(face, either))
         walls, pair = [brep.faces[i] for i in sorted(group) if i != floor.id], None
     if pair is None and (beveled := _between_bevels(graph, group, planes, links)) is not None:
         floor, above, pair = beveled
@@ -160,57 +161,6 @@ def _under_lips(
     return floor, links[floor.id] | above, pair
 
 
-def _floor(
-    graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord], links: dict[int, set[int]]
-) -> FaceRecord:
-    """The plane that the most others stand on; of several, one that walls surround.
-
-    The end of a slot bears as many walls as its floor: the larger one is the floor. In a corner of two or three
-    faces that are all alike, the one between two walls that face each other, or the flat of a shaft where it is the
-    larger one; else `_by_attitude` decides.
-    """
-    most = max(len(links[face.id]) for face in planes)
-    largest = max(face.area for face in planes)
-
-    def rank(face: FaceRecord) -> tuple[float, ...]:
-        walls = [graph.brep.faces[i] for i in sorted(links[face.id])]
-        pair = facing_pair([wall for wall in walls if wall.kind is SurfaceKind.PLANE], face.axis)
-        size = round(face.area / largest, 3) if most > 2 or pair is not None else 0.0
-        return (
-            _is_surrounded(graph.brep, face, group),
-            len(walls),
-            pair is not None,
-            size,
-            face.area >= largest and depth_of_flat(graph.brep, face) is not None,
-            *_by_attitude(face, planes),
-        )
-
-    return max(planes, key=rank)
-
-
-def _by_attitude(face: FaceRecord, planes: Sequence[FaceRecord]) -> tuple[float, ...]:
-    """Which of the planes of a corner is its floor, where nothing else tells them apart? The largest tuple is.
-
-    A level one, whether it looks up or down, then the larger one, so that equal corners have equal depths on whichever
-    side of the part they are. Where these are alike too: facing top, then front, then right.
-    """
-    largest = max(plane.area for plane in planes)
-    return (
-        round(abs(face.axis[2]), 2),
-        round(face.area / largest, 2),
-        dot(face.axis, (0.1, -0.2, 1.0)),
-        face.area,
-    )
-
-
-def _is_surrounded(brep: Brep, face: FaceRecord, group: set[int]) -> bool:
-    """Do faces of the group stand on all of its outline?"""
-    return bool(face.loops) and all(
-        brep.edges[e].convexity is EdgeConvexity.CONCAVE and group.issuperset(brep.edges[e].faces)
-        for e in face.loops[0].edges
-    )
-
-
 def _across(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> tuple[FaceRecord, Pair] | None:
     """The floor between two walls that face each other, where all else runs straight across or rounds the end.
 
@@ -252,7 +202,7 @@ def _pocket(
     ids = tuple(sorted({*(piece.id for piece in floors), *(i for i, owner in owners.items() if owner == floor.id)}))
     outline, corner = outline_of(brep, floor.loops[0], tolerances)
     around = tunnel_of(brep, group.difference(ids))
-    if around is not None and (not around.closed or not _is_surrounded(brep, floor, group)):
+    if around is not None and (not around.closed or not is_surrounded(brep, floor, group)):
         outline = around.outline
     frame = frame_of(brep, group.difference(ids) if is_open else group, floor.axis, floor.loops[0])
     pocket = depression_in(DepressionKind.POCKET, outline, frame, group, ids, floor.body, is_open=is_open)
