@@ -27,8 +27,9 @@ so many: what lies behind a part of a rectangle is behind no middle of its two t
 AROUND = 16
 """Rays around a hole, every 22 degrees, at each of `LEVELS`: what is plane or round about a parallel axis is then met
 straight on, so that they need only find the face."""
-LEVELS = {(PartKind.HOLE,): (0.1, 0.5, 0.9), (PartKind.COUNTERBORE, PartKind.SPOTFACE): (0.5, 0.9)}
-"""Shares of the depth of holes, and of what widens them: a broken outer edge may lie beside their mouths."""
+LEVELS = {(PartKind.HOLE,): (0.1, 0.9, 0.5), (PartKind.COUNTERBORE, PartKind.SPOTFACE): (0.5, 0.9, 0.7)}
+"""Shares of the depth of holes, and of what widens them: a broken outer edge may lie beside their mouths. The last one
+counts only where the others meet nothing but such an edge."""
 SQUARE = 1e-3
 """Sine of the angle by which a face may lean and still run alongside a hole."""
 LEVEL_M = 1e-6
@@ -292,9 +293,12 @@ def _beside(
     distances, ids, kept = _through(faces, owner, axis_points, rays, which)
     which, starts = which[kept], axis_points[kept]
     directions = kept // (len(levels) * AROUND) * AROUND + kept % AROUND  # one number for all levels
+    first = kept // AROUND % len(levels) < len(levels) - 1
     ends = at_ends.holds(which, ids) & ~_alongside(parts, faces, which, ids)
-    met = directions[outside[ids] & ~ends & (distances > 0.0)]
-    counts = outside[ids] & ~(ends & np.isin(directions, met))
+    met = outside[ids] & (distances > 0.0)
+    again = np.isin(directions, directions[met & first & ends]) & ~np.isin(directions, directions[met & first & ~ends])
+    counts = met & ~ends & (first | again)
+    counts |= met & ends & first & ~np.isin(directions, directions[counts])
     found = _least(which, distances, counts)
     straight = _straight(parts, faces, counts, which, starts, ids)
     if straight is not None:
