@@ -125,7 +125,7 @@ def test_a_step_with_rounded_feet_is_one(corner: bool) -> None:
 
 
 def test_a_step_that_also_cuts_into_a_round_edge_is_one() -> None:
-    rounded = fuse(plate(), cylinder(6, 40, (30, -20, -9), (0, 1, 0)))
+    rounded = fuse(plate(), cylinder(6, 40, (32, -20, -9), (0, 1, 0)))
     (step,) = find(cut(rounded, box((80, 15, 5), (-40, 10, -5)))).of("step")
     assert step.depth == pytest.approx(5 * MM)
 
