@@ -88,6 +88,11 @@ def test_between_slots_that_cross_the_web_counts(width: float) -> None:
     assert [slot.bottom_thickness for slot in slots] == pytest.approx([6 * MM, 6 * MM])
 
 
+def test_below_a_keyway_in_a_hub_the_way_out_through_its_round_wall_is_that_of_its_middle() -> None:
+    (keyway,) = find(cut(cylinder(26, 40), cylinder(12, 40), box((16, 8, 40), (0, -4, 0)))).of("slot")
+    assert keyway.bottom_thickness == pytest.approx(10 * MM, rel=5e-3)
+
+
 def test_below_a_round_trough_is_what_is_left_at_its_lowest_line() -> None:
     trough = cut(plate(60, 40, 20), cylinder(6, 40, (0, -20, 0), (0, 1, 0)))
     (found,) = [part for part in find(trough).parts if part.kind in ("slot", "channel", "notch")]

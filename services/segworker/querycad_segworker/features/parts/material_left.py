@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,8 +22,7 @@ BLIND = frozenset((PartKind.HOLE, PartKind.POCKET))
 FLOORED = frozenset((PartKind.SLOT, PartKind.CHANNEL, PartKind.NOTCH, PartKind.COUNTERBORE, PartKind.SPOTFACE))
 """What has a floor though it is open: at a side, or to the bore that it widens."""
 MOST_STARTS = 24
-"""Rays from one bottom, from the middles of its largest triangles; where it has fewer, they are halved until there are
-so many: what lies behind a part of a rectangle is behind no middle of its two triangles."""
+"""Rays from one bottom, from the middles of its largest triangles."""
 AROUND = 16
 """Rays around a hole, every 22 degrees, at each of `LEVELS`: what is plane or round about a parallel axis is then met
 straight on, so that they need only find the face."""
@@ -119,28 +118,34 @@ def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict
     first = np.searchsorted(mesh.triangle_face[order], np.arange(len(faces.records) + 1))
     starts: list[Reals] = []
     owners: list[int] = []
+    between: list[tuple[int, Reals]] = []
     floors: dict[int, list[int]] = defaultdict(list)
     ends: dict[int, set[int]] = defaultdict(set)
     for i in wanted:
         for face in (faces.records[f] for f in _with_floor(parts[i], brep)):
-            points = _bottom_points(parts[i], face, mesh, order[first[face.id] : first[face.id + 1]])
+            triangles = order[first[face.id] : first[face.id + 1]]
+            points = _bottom_points(parts[i], face, mesh, triangles)
             starts.append(points)
             owners += [i] * len(points)
             if _looks(face, parts[i].normal):
                 floors[face.id].append(i)
                 ends[i].update(_lean_under(face, brep))
+                between.append((i, _all_over(mesh, triangles)))
     rays = _Rays.of(parts, faces, ends, np.array(owners, dtype=np.int64), np.concatenate([np.zeros((0, 3)), *starts]))
     more = _Rays.of(parts, faces, ends, *_nearest(parts, faces, floors, rays))
+    finer = _through_planes(parts, faces, ends, between)
     # What is small behind a wide bottom, as the tip of a drill, is met from there.
     back = [
-        (i, rays.distances[ray])
-        for ray in np.flatnonzero(rays.leaves).tolist()
-        for i in floors.get(int(rays.ids[ray]), ())
-        if np.dot(rays.ways[ray], np.array(parts[i].normal)) > FACES_UP
+        (i, seen.distances[ray])
+        for seen in (rays, finer)
+        for ray in np.flatnonzero(seen.leaves).tolist()
+        for i in floors.get(int(seen.ids[ray]), ())
+        if np.dot(seen.ways[ray], np.array(parts[i].normal)) > FACES_UP
     ]
-    which = np.concatenate([rays.owners, more.owners, np.array([i for i, _ in back], dtype=np.int64)])
-    distances = np.concatenate([rays.distances, more.distances, np.array([distance for _, distance in back])])
-    return _least(which, distances, np.concatenate([rays.leaves, more.leaves, np.ones(len(back), dtype=np.bool_)]))
+    own = (rays, more, finer)
+    which = np.concatenate([*(one.owners for one in own), np.array([i for i, _ in back], dtype=np.int64)])
+    distances = np.concatenate([*(one.distances for one in own), np.array([distance for _, distance in back])])
+    return _least(which, distances, np.concatenate([*(one.leaves for one in own), np.ones(len(back), dtype=np.bool_)]))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -167,6 +172,18 @@ class _Rays:
         pairs = zip(owners.tolist(), ids.tolist(), strict=True)
         own = np.array([f in parts[i].faces or f in ends.get(i, ()) for i, f in pairs], dtype=np.bool_)
         return cls(owners, starts, ways, distances, ids, (ids >= 0) & ~own)
+
+
+def _through_planes(
+    parts: Sequence[Part], faces: _Faces, ends: Mapping[int, Collection[int]], starts: Sequence[tuple[int, Reals]]
+) -> _Rays:
+    """The rays from these starts of these parts, of which those leave that come out through a plane.
+
+    Behind a flat bottom a round wall is nearest at one point, which `_nearest` knows.
+    """
+    owners = np.array([i for i, points in starts for _ in points], dtype=np.int64)
+    rays = _Rays.of(parts, faces, ends, owners, np.concatenate([np.zeros((0, 3)), *(points for _, points in starts)]))
+    return replace(rays, leaves=rays.leaves & faces.is_plane[rays.ids])
 
 
 def _nearest(
@@ -242,11 +259,20 @@ def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[
         corners = mesh.vertices_m[mesh.triangles[triangles]]
         sizes = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
         corners = corners[np.argsort(-sizes, kind="stable")[:MOST_STARTS]]
-        while 0 < len(corners) < MOST_STARTS:
-            corners = _halved(corners)
         middles: Reals = corners.mean(axis=1)
         return middles
     return np.zeros((0, 3))
+
+
+def _all_over(mesh: Mesh, triangles: NDArray[np.integer]) -> Reals:
+    """Points (N, 3) all over a face: there is more behind a rectangle than behind the middles of its two triangles."""
+    if len(triangles) >= MOST_STARTS:
+        return np.zeros((0, 3))
+    corners: Reals = mesh.vertices_m[mesh.triangles[triangles]]
+    while 0 < len(corners) < MOST_STARTS:
+        corners = _halved(corners)
+    middles: Reals = corners.mean(axis=1)
+    return middles
 
 
 def _halved(corners: Reals) -> Reals:
