@@ -290,3 +290,13 @@ def test_a_chamfer_of_the_outer_edge_belongs_to_the_plate() -> None:
 def test_a_chamfered_plate_has_no_holes() -> None:
     block = plate()
     assert find(chamfered(block, 2.0, *upright(block))).of("hole") == []
+
+
+@pytest.mark.parametrize(("beside", "grazes"), [(30.0, True), (34.0, True), (27.0, False)])
+def test_a_flange_hole_that_grazes_the_fillet_of_the_hub_is_as_deep_as_the_flange(beside: float, grazes: bool) -> None:
+    """A hub of 20 mm with a fillet that ends at 28 mm; nearer than that most of a hole opens in the fillet."""
+    hub = fuse(cylinder(50, 10), cylinder(20, 30, (0, 0, 10)))
+    hole = only_hole(cut(filleted(hub, 8, *rims(hub, 20, 10)), cylinder(5, 40, (beside, 0, -5))))
+    assert (hole.depth == pytest.approx(10 * MM)) is grazes
+    assert (hole.center[2] == pytest.approx(5 * MM)) is grazes
+    assert hole.bottom == "through"

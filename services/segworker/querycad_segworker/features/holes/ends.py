@@ -8,7 +8,14 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import Bottom, SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import same_cylinder
-from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, roundings_beside, wall_range
+from querycad_segworker.features.shared.coaxial_stacks import (
+    End,
+    Stack,
+    radius_at,
+    roundings_beside,
+    wall_range,
+    winding,
+)
 from querycad_segworker.features.shared.walls import Axis, Wall, is_waist
 from querycad_segworker.tolerances import reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
@@ -23,6 +30,9 @@ a hole into a narrower one ends in it, as the ports of a manifold end in its gal
 
 ACROSS_RAD = math.radians(10.0)
 """A hole opens in, or ends in, a cylinder whose axis leaves its own by more than this."""
+
+LEVEL = 1e-3
+"""Sine of the angle by which a plane may lean and still be square to a hole."""
 
 OBLIQUE_ANGLE = math.radians(3.0)
 """A hole this far from square on the face it opens in is oblique: more than drafts and position tolerances make."""
@@ -69,6 +79,23 @@ def oblique_mouth(brep: Brep, stack: Stack, high: bool) -> float | None:
     if not 0.2 < abs(slope) < math.cos(OBLIQUE_ANGLE):
         return None
     return dot(sub(face.point, stack.axis.origin), face.axis) / slope
+
+
+def level_mouth(brep: Brep, stack: Stack, high: bool) -> float | None:
+    """Where is the plane that an end opens in square for the most part, where the rest runs up that plane's fillets?
+
+    A flange hole beside a hub is as deep as the flange is thick, also where it grazes the fillet between both.
+    """
+    beyond = set(stack.beyond(high))
+    planes = {f for f in beyond if brep.faces[f].kind is SurfaceKind.PLANE}
+    if len(planes) != 1 or beyond == planes:
+        return None
+    (plane,) = (brep.faces[f] for f in planes)
+    fillets = {f for f in brep.beside(plane.id, EdgeConvexity.SMOOTH) if brep.faces[f].outward < 0}
+    if not beyond - planes <= fillets or not parallel(plane.axis, stack.axis.direction, LEVEL):
+        return None
+    rim = (e for f in stack.last_wall(high).faces for e, other in brep.neighbours(f) if other == plane.id)
+    return stack.axis.position(plane.point) if sum(winding(stack.axis, e) for e in rim) > math.pi else None
 
 
 def round_mouth(brep: Brep, stack: Stack, high: bool) -> float | None:

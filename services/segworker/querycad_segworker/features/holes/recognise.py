@@ -28,6 +28,7 @@ from .ends import (
     flats_of,
     is_floor,
     is_pointed,
+    level_mouth,
     mouth_rounding,
     oblique_mouth,
     opens_high,
@@ -211,11 +212,16 @@ def _form(inwards: Sequence[Wall], stack: Stack, high: bool, point: Wall | None,
 
 
 def _ends(brep: Brep, stack: Stack, high: bool, open_both: bool, inwards: Sequence[Wall]) -> tuple[float, float]:
-    """Where along the axis are opening and end? Of oblique and round mouths, where the axis pierces the face."""
+    """Where along the axis are opening and end? Of oblique and round mouths, where the axis pierces the face.
+
+    Of one that grazes a fillet, where the plane beside it is.
+    """
     ends = [p for w in inwards for p in wall_range(stack.axis, w)]
     top, end = (stack.high, min(ends)) if high else (stack.low, max(ends))
     mouth, far = (
-        next((at for at in (oblique_mouth(brep, stack, h), round_mouth(brep, stack, h)) if at is not None), None)
+        next(
+            (at for find in (oblique_mouth, round_mouth, level_mouth) if (at := find(brep, stack, h)) is not None), None
+        )
         for h in (high, not high)
     )
     return top if mouth is None else mouth, end if far is None or not open_both else far
