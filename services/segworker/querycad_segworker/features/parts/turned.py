@@ -28,8 +28,9 @@ WHOLE_CIRCLE, SHARP = 0.9, 0.5
 def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Part:
     """A round protrusion as a part; its height runs along its own axis from base to tip, its depth is its bore's.
 
-    Its thickness is its height where it is flat, that of its wall where it is hollow and does not taper. The length of
-    a shaft's step runs along the axis; that of a boss is its longer dimension. A rim is as wide as it is high.
+    Its thickness is its height where it is flat, or the distance of parallel oblique ends; that of its wall where it is
+    hollow and does not taper. The length of a shaft's step runs along the axis; that of a boss is its longer dimension.
+    A rim is as wide as it is high.
     """
     bore = None if boss.hole is None else holes[boss.hole]
     flat, axial = "flat" in boss.tags, "stepped" in boss.tags or "slender" in boss.tags
@@ -49,7 +50,7 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
         depth=None if bore is None else bore.depth,
         width=boss.height if RIM in boss.tags else 2 * boss.radius,
         length=boss.height if axial else max(boss.height, 2 * boss.radius),
-        thickness=boss.height if flat else boss.wall,
+        thickness=(boss.between_planes or boss.height) if flat else boss.wall,
         tip=boss.tip,
         tips=boss.tips or (boss.tip,),
         pitch=boss.pitch,
@@ -70,9 +71,15 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
 
 
 def _to_its_ends(boss: Boss, walls: Vector) -> Vector:
-    """The box of its walls, along its axis from base to tip: a fillet at its foot belongs to neither wall."""
+    """The box of its walls, along its axis from base to tip.
+
+    A fillet at its foot belongs to neither wall; jaws on a disc, level with its rim, are no part of it.
+    """
     along = coordinate_axis(boss.normal)
-    x, y, z = (max(size, boss.height) if i == along else size for i, size in enumerate(walls))
+    is_square = "flat" in boss.tags and boss.between_planes is None
+    x, y, z = (
+        (boss.height if is_square else max(size, boss.height)) if i == along else size for i, size in enumerate(walls)
+    )
     return x, y, z
 
 

@@ -52,7 +52,7 @@ def _thickness(
     if turned is not None and "tube" in turned.tags and turned.wall is not None:
         return turned.wall
     if turned is not None and turned.steps == 1 and turned.length < turned.outer_radius:
-        return turned.length
+        return turned.disc or turned.length
     joined = _of_plates(record, prisms)
     if joined is not None or wall is not None:
         return joined or wall

@@ -34,6 +34,7 @@ from querycad_segworker.vectors import parallel, points_up, scale
 
 from .necks import is_flank, is_neck
 from .step_bores import Bore, bore_in, hole_in, length_bored
+from .step_ends import before_jaws, oblique_ends
 
 WIDER = 1.05
 """A chamfer begins about as wide as the cylinder that it is on."""
@@ -92,6 +93,8 @@ class Boss:
     """Between a cone's wall and its axis, radians."""
     tips: tuple[Vector, ...] = ()
     """All free ends of its axis, where they are more than `tip`."""
+    between_planes: float | None = None
+    """How far apart its ends are, square to them, where parallel planes cut it off obliquely."""
     is_broken_edge: bool = False
     """It is a cone that breaks the corners of a nut, head or other prism: as a part, that is a chamfer and no boss."""
 
@@ -269,7 +272,9 @@ def _boss(
                 breaks.append(_break(axis, other, at_high))
     of_others = {face for members in steps for part in members for face in part.faces} - own
     low, high = _rounded(brep, axis, own, of_others, low, high, tolerances)
-    low, high = _domed(brep, stack, low, high, faces)
+    low, high = before_jaws(brep, axis, step, _domed(brep, stack, low, high, faces), tolerances)
+    oblique = oblique_ends(brep, axis, step)
+    low, high = (low, high) if oblique is None else oblique[:2]
     tip, base = (axis.at(high), axis.at(low)) if tip_high else (axis.at(low), axis.at(high))
     for end in (tip, base) if stack.open_both else (tip,):
         end_face = _end_face(brep, axis, wall, axis.position(end), stack)
@@ -297,6 +302,7 @@ def _boss(
         step_of=len(steps),
         lean=_lean(wall),
         pitch=next((part.pitch for part in step if part.pitch is not None), None),
+        between_planes=None if oblique is None else oblique[2],
         is_broken_edge=end_of_corner_chamfer(brep, brep.faces[wall.faces[0]]) is not None,
     )
 

@@ -153,7 +153,7 @@ def turned_body(
         spoked=any(RIM in h.tags and axis.radius_of(h.center) < near for h in holes),
         wall=_wall(steps),
         widest_at=_widest_at(axis, widest, toothed),
-        disc=widest.height if "flat" in widest.tags else None,
+        disc=(widest.between_planes or widest.height) if "flat" in widest.tags else None,
         pointed=tuple(end for end in (low, high) if _is_point(end, steps)),
     )
 
