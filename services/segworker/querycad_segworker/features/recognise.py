@@ -221,7 +221,9 @@ def _parts(
         *_numbered(brep, round_.knurls, knurl_part),
         *(tooth for n, gear in enumerate(gears, start=1) for tooth in tooth_parts(brep, gear, n)),
     ]
-    parts += region_parts(brep, parts, {face for cut in corners for face in cut.faces}, volumes, tolerances)
+    of_corners = {face for cut in corners for face in cut.faces}
+    caps = {face for arm in standing_out.arms for face in arm.caps}
+    parts += region_parts(brep, parts, volumes, tolerances, corners=of_corners, caps=caps)
     parts += ledge_parts(brep, standing_out.ledges, parts, volumes)
     bearings = recognise_bearings(brep, tolerances)
     turned = _turned(brep, round_.bosses, holes, gears)

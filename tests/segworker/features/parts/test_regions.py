@@ -175,3 +175,8 @@ def test_wide_words_reach_an_elevation(words: str) -> None:
 def test_a_keyway_is_not_any_depression() -> None:
     found = find_parts(Inventory(find(cut(plate(), pyramid(-8))).parts), "the keyway")
     assert not found.parts
+
+
+def test_a_ball_on_a_stud_is_no_elevation_and_one_on_the_corner_of_a_block_is_one() -> None:
+    assert not regions(fuse(BLOCK, cylinder(6, 30), ball(10, (0, 0, 38))))
+    assert only(fuse(BLOCK, ball(10, (-30, 20, 0)))).kind == "elevation"

@@ -91,3 +91,10 @@ def test_an_arm_may_run_tangentially_into_a_hub_that_stands_out_beyond_it_and_a_
         found = [part for part in find(turned(lever, (1, 2, 3), degrees)).of("prism") if "arm" in part.tags]
         assert [part.thickness for part in found] == pytest.approx([8e-3] * arms)
         assert [part.width for part in found] == pytest.approx([36e-3] * arms)
+
+
+def test_an_arm_to_an_eye_is_no_elevation() -> None:
+    hubs = fuse(cylinder(22, 32, (0, 0, -16)), cylinder(14, 20, (110, 0, -10)))
+    lever = find(fuse(hubs, box((110, 18, 10), (0, -9, -5))))
+    assert [part for part in lever.of("prism") if "arm" in part.tags]
+    assert not lever.of("elevation")

@@ -42,11 +42,18 @@ _OUT = _BOTH | {kind for kind in PartKind if kind.stands_out} | {PartKind.WALL, 
 
 
 def region_parts(
-    brep: Brep, parts: Sequence[Part], corners: Set[int], volumes: Volumes, tolerances: Tolerances
+    brep: Brep,
+    parts: Sequence[Part],
+    volumes: Volumes,
+    tolerances: Tolerances,
+    *,
+    corners: Set[int] = frozenset(),
+    caps: Collection[int] = (),
 ) -> list[Part]:
     """Which regions has no family taken? `parts`: those of all families. None without a mesh to measure them by.
 
-    `corners`: faces of corners between walls; what is made of them is no depression.
+    `corners`: faces of corners between walls; what is made of them is no depression. `caps`: faces of the top and
+    bottom of arms, which are not among the arms' own. A ball at the end of a stud is none.
     """
     if volumes.moments is None:
         return []
@@ -56,6 +63,9 @@ def region_parts(
     sunk = [part for part in cuts if part.kind is not PartKind.STEP and "fork" not in part.tags]
     across = {face for part in sunk for face in part.faces}
     out = frozenset(face for part in parts if part.kind in _OUT for face in part.faces)
+    studs = {face for part in parts if part.kind is PartKind.BOSS for face in part.faces}
+    out |= {face for part in parts if "ball" in part.tags for face in part.faces if _is_on(brep, face, studs)}
+    out = out.union(caps)
     maker = _Maker(brep, volumes, volumes.moments, tolerances, cut)
     breaks = frozenset(face for part in parts if part.kind.breaks_edge for face in part.faces)
     makers: dict[bool, Callable[[Region, int], Part | None]] = {True: maker.depression, False: maker.elevation}
@@ -66,6 +76,12 @@ def region_parts(
             part = makers[region.sinks](region, len(found[region.sinks]) + 1)
             found[region.sinks] += [part] if part is not None else []
     return [*found[True], *found[False]]
+
+
+def _is_on(brep: Brep, ball: int, studs: Collection[int]) -> bool:
+    """Does a ball meet nothing but these faces?"""
+    beside = {other for _, other in brep.neighbours(ball)}
+    return bool(beside) and beside.issubset(studs)
 
 
 @dataclass(frozen=True, slots=True)

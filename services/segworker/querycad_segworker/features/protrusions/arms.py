@@ -43,6 +43,9 @@ class Arm:
     center: Vector
     tip: Vector
     faces: tuple[int, ...]
+    """Its sides and its end."""
+    caps: tuple[int, ...]
+    """Its top and bottom, which may go on beyond it."""
     sides: tuple[int, int]
     is_spoke: bool
     """It ends at the inside of a rim."""
@@ -189,6 +192,7 @@ def _arm(brep: Brep, hub: _Hub, a: FaceRecord, b: FaceRecord) -> Arm | None:
         center=add(at, scale(way, hub.radius + length / 2)),
         tip=add(at, scale(way, reach)),
         faces=tuple(sorted({a.id, b.id, *ends})),
+        caps=tuple(sorted({cap.id for cap in caps})),
         sides=(a.id, b.id),
         is_spoke=bool(rims),
         center_length=None if rims else _to_the_eye(brep, hub, way, reach, width),
