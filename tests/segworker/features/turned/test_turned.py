@@ -316,3 +316,12 @@ def test_a_void_is_a_cavity_and_no_groove() -> None:
     assert not hollow.of("groove")
     (groove,) = find(cut(cylinder(25, 40), torus(25, 3, (0, 0, 20)))).of("groove")
     assert groove.depth == pytest.approx(3e-3)
+
+
+def test_collars_of_a_lying_shaft_are_no_feet_and_standoffs_below_a_plate_are() -> None:
+    along = (1.0, 0.0, 0.0)
+    collars = [cylinder(18, 8, (x, 0, 0), along) for x in (40, 120)]
+    shaft = find(fuse(cylinder(10, 200, along=along), *collars))
+    assert not [part for part in shaft.parts if "foot" in part.tags]
+    stand = find(fuse(plate(100, 80, 8), *(cylinder(5, 20, (x, y, -28)) for x in (-40, 40) for y in (-30, 30))))
+    assert [part.kind for part in stand.parts if "foot" in part.tags] == 4 * ["boss"]

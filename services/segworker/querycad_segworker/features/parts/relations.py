@@ -256,7 +256,8 @@ def _feet(parts: Sequence[Part], shape: Shape) -> list[Part]:
     """Several solid bodies that reach the ground while others do not; else several protrusions that do."""
     top = shape.center[2] + shape.extents[2] / 2
     for kinds in ((PartKind.BODY,), (PartKind.BOSS, PartKind.PRISM, PartKind.PROTRUSION)):
-        candidates = _outermost([part for part in parts if part.kind in kinds])
+        candidates = [p for p in parts if p.kind in kinds and (p.kind is not PartKind.BOSS or _is_upright(p))]
+        candidates = _outermost(candidates)
         grounded = [part for part in candidates if _is_grounded(part, shape)]
         slim = [part for part in grounded if max(part.extents[:2]) < FOOT_SHARE * max(shape.extents[:2])]
         if PartKind.BODY not in kinds:  # something of the one body stands on them
@@ -264,6 +265,11 @@ def _feet(parts: Sequence[Part], shape: Shape) -> list[Part]:
         if len(slim) >= MIN_FEET and (PartKind.BODY not in kinds or len(slim) < len(candidates)):
             return slim
     return []
+
+
+def _is_upright(boss: Part) -> bool:
+    """Does it stand? What is lying, as the collars of a shaft, is no foot."""
+    return boss.axis is not None and abs(boss.axis[2]) > UPRIGHT
 
 
 def _outermost(parts: Sequence[Part]) -> list[Part]:
