@@ -273,3 +273,12 @@ def test_holes_in_the_top_of_a_pad_make_no_wall_through_the_plate_below_it() -> 
         assert not find(shape).of("wall")
     hollow = cut(bored, box((180, 100, 23), (10, 10, 0)))
     assert min(floor.thickness or 0.0 for floor in find(hollow).of("floor")) == pytest.approx(2 * MM)
+
+
+@pytest.mark.parametrize("aside", [20.0, 24.0])
+def test_a_flange_with_a_flat_on_its_rim_is_no_wall_and_an_ear_is_one(aside: float) -> None:
+    bushing = cut(fuse(cylinder(25, 4), cylinder(15, 30)), cylinder(10, 30), box((10, 60, 4), (aside, -30, 0)))
+    assert not find(bushing).of("wall")
+    lug = fuse(box((60, 60, 8)), box((6, 30, 30), (0, 15, 8)), cylinder(15, 6, (0, 30, 38), (1, 0, 0)))
+    eye = find(cut(lug, cylinder(6, 6, (0, 30, 38), (1, 0, 0))))
+    assert [part for part in eye.of("wall") if "ear" in part.tags]

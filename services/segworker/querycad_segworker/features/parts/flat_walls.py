@@ -47,6 +47,8 @@ STANDS_IN = frozenset(("between", "gusset"))
 """What parts two openings, or stiffens a corner, is no leg."""
 HALF_TURN_RAD = math.radians(150.0)
 """The end of an ear is round by so much at least."""
+DISC_RAD = math.radians(270.0)
+"""What is round by more than so much is a disc with a flat; ears and eyes are round by 180 to 240 degrees."""
 FORKS = (DepressionKind.SLOT, DepressionKind.CHANNEL, DepressionKind.NOTCH)
 UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 """Slots that no fork has."""
@@ -293,7 +295,9 @@ def _size(brep: Brep, side: Sequence[FaceRecord]) -> tuple[float, float]:
 
 
 def _is_disc(brep: Brep, face: FaceRecord) -> bool:
-    return any(brep.edges[e].closed and brep.edges[e].kind is EdgeKind.CIRCLE for e in _rims([face]))
+    """Is it bounded by a circle, or but for a flat on its rim by one?"""
+    arcs = [edge for edge in map(brep.edges.__getitem__, _rims([face])) if edge.kind is EdgeKind.CIRCLE]
+    return any(arc.closed or (arc.radius and arc.length > DISC_RAD * arc.radius) for arc in arcs)
 
 
 def _frame(brep: Brep, side: Sequence[FaceRecord], thickness: float) -> LocalFrame:
