@@ -88,6 +88,8 @@ from .turned.round_bodies import TurnedBody, tips_of, turned_body, with_free_tip
 T = TypeVar("T")
 P = ParamSpec("P")
 R = TypeVar("R", Boss, Hole, Gear)
+SPIDER = 4
+"""A face between so many sides of spokes, those of two, is that of a spider, which is no plate."""
 PATTERNED = frozenset((PartKind.HOLE, PartKind.CUTOUT, PartKind.POCKET, PartKind.SLOT, PartKind.DIMPLE))
 """Kinds that are laid out in patterns."""
 
@@ -305,7 +307,9 @@ def _standing_out(
     pads, ledges = recognise_pads(brep, known, tolerances)
     sides = {face for arm in arms for face in arm.sides}
     prisms = [prism for prism in recognise_prisms(brep, chamfers) if sides.isdisjoint(prism.faces)]
+    spokes = {face for arm in arms if arm.is_spoke for face in arm.sides}
     plates = recognise_plates(brep, prisms, ribs, tolerances)
+    plates = [plate for plate in plates if len(spokes.intersection(plate.faces)) < SPIDER]
     return _StandingOut([*protrusions, *pads], ledges, arms, [*without_edgewise(prisms, plates), *plates])
 
 

@@ -98,3 +98,17 @@ def test_an_arm_to_an_eye_is_no_elevation() -> None:
     lever = find(fuse(hubs, box((110, 18, 10), (0, -9, -5))))
     assert [part for part in lever.of("prism") if "arm" in part.tags]
     assert not lever.of("elevation")
+
+
+def test_a_spider_in_a_frame_is_no_plate_nor_are_its_openings_hollows_and_arms_without_a_rim_make_a_plate() -> None:
+    frame = cut(fuse(box((80, 80, 4), (-40, -40, 0)), cylinder(40, 25)), cylinder(38, 25))
+    struts = (turned(box((38, 5, 6), (0, -2.5, 0)), (0, 0, 1), 45 + 90 * i) for i in range(4))
+    spider = cut(fuse(cylinder(16, 6), *struts), cylinder(4, 6))
+    found = find(fuse(frame, spider))
+    spokes = [part for part in found.parts if "spoke" in part.tags]
+    assert len(spokes) == 4
+    assert not [spoke for spoke in spokes if "foot" in spoke.tags]  # they hold the hub, and nothing stands on them
+    assert len([part for part in found.of("prism") if "plate" in part.tags]) == 1
+    assert not found.of("depression")
+    free = find(spider)
+    assert [part for part in free.of("prism") if "plate" in part.tags]

@@ -68,10 +68,13 @@ def region_parts(
     out = out.union(caps)
     maker = _Maker(brep, volumes, volumes.moments, tolerances, cut)
     breaks = frozenset(face for part in parts if part.kind.breaks_edge for face in part.faces)
+    spokes = frozenset(face for part in parts if "spoke" in part.tags for face in part.faces)
     makers: dict[bool, Callable[[Region, int], Part | None]] = {True: maker.depression, False: maker.elevation}
     found: dict[bool, list[Part]] = {True: [], False: []}
     for region in closed_regions(brep, volumes.moments, across):
         taken = faces_area(brep, region.faces & (cut | corners if region.sinks else out))
+        if _is_between_spokes(brep, region, spokes):
+            continue
         if not breaks >= region.faces and taken <= TAKEN * faces_area(brep, region.faces):
             part = makers[region.sinks](region, len(found[region.sinks]) + 1)
             found[region.sinks] += [part] if part is not None else []
@@ -82,6 +85,13 @@ def _is_on(brep: Brep, ball: int, studs: Collection[int]) -> bool:
     """Does a ball meet nothing but these faces?"""
     beside = {other for _, other in brep.neighbours(ball)}
     return bool(beside) and beside.issubset(studs)
+
+
+def _is_between_spokes(brep: Brep, region: Region, spokes: Collection[int]) -> bool:
+    """Are its faces the sides of two spokes and the hub between? They bound an opening that ends inside a rim."""
+    sides = region.faces.intersection(spokes)
+    rest = [brep.faces[i] for i in region.faces - sides]
+    return len(sides) > 1 and all(face.kind is SurfaceKind.CYLINDER and face.outward > 0 for face in rest)
 
 
 @dataclass(frozen=True, slots=True)

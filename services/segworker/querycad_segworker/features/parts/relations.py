@@ -257,7 +257,7 @@ def _feet(parts: Sequence[Part], shape: Shape) -> list[Part]:
     top = shape.center[2] + shape.extents[2] / 2
     for kinds in ((PartKind.BODY,), (PartKind.BOSS, PartKind.PRISM, PartKind.PROTRUSION)):
         candidates = [p for p in parts if p.kind in kinds and (p.kind is not PartKind.BOSS or _is_upright(p))]
-        candidates = _outermost(candidates)
+        candidates = _outermost([part for part in candidates if "spoke" not in part.tags])
         grounded = [part for part in candidates if _is_grounded(part, shape)]
         slim = [part for part in grounded if max(part.extents[:2]) < FOOT_SHARE * max(shape.extents[:2])]
         if PartKind.BODY not in kinds:  # something of the one body stands on them
