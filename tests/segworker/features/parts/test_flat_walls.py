@@ -282,3 +282,13 @@ def test_a_flange_with_a_flat_on_its_rim_is_no_wall_and_an_ear_is_one(aside: flo
     lug = fuse(box((60, 60, 8)), box((6, 30, 30), (0, 15, 8)), cylinder(15, 6, (0, 30, 38), (1, 0, 0)))
     eye = find(cut(lug, cylinder(6, 6, (0, 30, 38), (1, 0, 0))))
     assert [part for part in eye.of("wall") if "ear" in part.tags]
+
+
+def test_the_bottom_of_a_nut_pocket_is_no_third_ear_and_an_ear_with_a_spot_face_stays_one() -> None:
+    clamp = cut(fuse(cylinder(15, 14), box((30, 12, 14), (0, -6, 0))), cylinder(8, 14), box((40, 2, 14), (0, -1, 0)))
+    bolt = cylinder(2.15, 40, (22, -20, 7), Y)
+    nut = box((7, 2, 8), (18.5, -6, 3))
+    for seat, ears in ((nut, [5, 5]), (cylinder(3.8, 1, (22, -6, 7), Y), [5, 5])):
+        walls = find(cut(clamp, bolt, seat)).parts
+        found = [wall.thickness for wall in walls if wall.kind in ("wall", "floor") and "ear" in wall.tags]
+        assert found == pytest.approx([ear * MM for ear in ears])

@@ -138,7 +138,15 @@ def recognise_flat_walls(
     ]
     ears = [wall for wall in (*thin, *low) if not slits.isdisjoint(wall.faces)]
     others = [wall for wall in (*thin, *low) if slits.isdisjoint(wall.faces)]
-    return sorted([*ears, *_legs(brep, _webs(brep, others))], key=lambda wall: (wall.faces, wall.thickness))
+    bottoms = {face for cut in floored if cut.kind is DepressionKind.POCKET and not cut.is_open for face in cut.floor}
+    named = (_bottom(wall, bottoms) for wall in (*ears, *_legs(brep, _webs(brep, others))))
+    return sorted(named, key=lambda wall: (wall.faces, wall.thickness))
+
+
+def _bottom(wall: FlatWall, bottoms: Collection[int]) -> FlatWall:
+    """The same wall; no ear nor tine where it is the bottom of a pocket, as of one for a nut, which an ear has."""
+    is_ear = set(wall.faces).isdisjoint(bottoms)
+    return wall if is_ear else replace(wall, tags=tuple(tag for tag in wall.tags if tag not in ("ear", "tine")))
 
 
 def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
