@@ -19,6 +19,7 @@ from tests.segworker.shapes import (
     scaled,
     shifted,
     turned,
+    upright,
 )
 
 MM = 1e-3
@@ -292,3 +293,46 @@ def test_the_bottom_of_a_nut_pocket_is_no_third_ear_and_an_ear_with_a_spot_face_
         walls = find(cut(clamp, bolt, seat)).parts
         found = [wall.thickness for wall in walls if wall.kind in ("wall", "floor") and "ear" in wall.tags]
         assert found == pytest.approx([ear * MM for ear in ears])
+
+
+def test_the_flange_of_bent_sheet_between_its_web_and_an_end_plate_is_no_gusset() -> None:
+    """A channel of 3 mm sheet with windows in both flanges, and a plate that closes one end of it."""
+    outside, inside = box((90, 60, 100)), box((84, 60, 100), (3, 3, 0))
+    sheet = cut(
+        filleted(outside, 5, *upright(outside)),
+        filleted(inside, 2, *upright(inside)),
+        box((90, 20, 100), (0, 45, 0)),
+        box((100, 25, 70), (-5, 12, 15)),
+    )
+    found = find(fuse(sheet, box((90, 40, 3), (0, 5, -3))))
+    assert not [part for part in found.parts if "gusset" in part.tags]
+    assert sum(abs(wall.normal[0]) > 0.99 for wall in found.of("wall") if wall.normal) == 2
+
+
+def test_a_gusset_with_fillets_on_both_feet_is_one() -> None:
+    shape = corner(prism([(6, 18, 8), (46, 18, 8), (6, 18, 48)], (0, 4, 0)))
+    (gusset,) = find(filleted(shape, 1.5, *_feet(shape))).of("rib")
+    assert "gusset" in gusset.tags
+
+
+def _feet(shape: TopoDS_Shape) -> list[TopoDS_Edge]:
+    """The straight edges of a gusset's sides at the corner's plates."""
+    found = []
+    for edge in edges(shape):
+        curve = BRepAdaptor_Curve(edge)
+        middle = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2)
+        at_foot = abs(middle.X() - 6) < 1e-6 or abs(middle.Z() - 8) < 1e-6
+        if at_foot and min(abs(middle.Y() - side) for side in (18, 22)) < 1e-6:
+            found.append(edge)
+    return found
+
+
+def test_a_wall_beside_a_slot_is_as_high_as_the_slot_is_deep() -> None:
+    block = cut(box((60, 40, 60)), box((20, 40, 25), (35, 0, 35)))
+    heights = {wall.thickness: wall.height for wall in find(block).of("wall") if wall.thickness}
+    assert heights[min(heights)] == pytest.approx(25 * MM)
+
+
+def test_the_side_of_a_box_is_as_high_as_its_outside_however_thick_the_floor() -> None:
+    walls = find(cut(box((80, 60, 50)), box((74, 54, 50), (3, 3, 8)))).of("wall")
+    assert [wall.height for wall in walls] == pytest.approx(4 * [50 * MM])

@@ -433,6 +433,15 @@ def _met(brep: Brep, leg: FlatWall, other: FlatWall) -> list[FaceRecord]:
     return faces
 
 
+def _upright(brep: Brep, wall: FlatWall) -> float:
+    """How high is a wall, metres? As its larger side; where that runs on past a floor or corner, as the smaller one.
+
+    The larger side of a box runs on over its floor, however thick.
+    """
+    whole, own = (box_extents(faces_box(brep, faces))[2] for faces in (wall.faces, _sides(brep, wall)[0]))
+    return own if not wall.encloses and exceeds(whole - own, wall.thickness) else whole
+
+
 def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:
     """A wall, floor or gusset as a part; its thickness is between its two sides.
 
@@ -454,7 +463,7 @@ def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:
         thickness=wall.thickness,
         length=wall.length,
         width=wall.width,
-        height=wall.width if is_gusset else None if "inclined" in wall.tags else wall.height or extents[2],
+        height=wall.width if is_gusset else None if "inclined" in wall.tags else wall.height or _upright(brep, wall),
         local_size=(wall.length, wall.width, wall.thickness),
         area=faces_area(brep, wall.faces),
         evidence=geometry(f"plane faces that look away from each other, {millimetres(wall.thickness)} apart"),

@@ -14,7 +14,7 @@ from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.part_measures import UPRIGHT
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import add, cross, dist, dot, norm, scale, sub, unit
+from querycad_segworker.vectors import add, cross, dist, dot, line_distance, norm, parallel, scale, sub, unit
 
 SAME = 0.01
 """The rim of a gusset is as large as its edge and its thickness make it, but for this share."""
@@ -45,7 +45,7 @@ def gusset_in(brep: Brep, sides: Sequence[int], center: Vector, thickness: float
     the shorter one. A side that is level with that of one of the faces has no foot there: then the gusset has the other
     side, and what is as wide as it is thick.
     """
-    feet = {face: _feet(brep, brep.faces[face]) for face in sides}
+    feet = {face: _feet(brep, brep.faces[face], thickness) for face in sides}
     standing = {face: found for face, found in feet.items() if len(found) == 2}
     if len(sides) != 2 or not standing or max(map(len, feet.values())) > 2:
         return None
@@ -111,17 +111,38 @@ def _is_rim(face: FaceRecord, edge: EdgeRecord, thickness: float) -> bool:
     return edge.convexity is EdgeConvexity.CONVEX and abs(face.area - edge.length * thickness) < SAME * face.area
 
 
-def _feet(brep: Brep, side: FaceRecord) -> list[tuple[int, float]]:
-    """The planes and outer cylinders that a side of a wall stands on, over fillets too, and for how long."""
+def _feet(brep: Brep, side: FaceRecord, thickness: float) -> list[tuple[int, float]]:
+    """The planes and outer cylinders that a side of a wall stands on, over fillets too, and for how long.
+
+    Over the inside of a bend it stands on nothing: there it is the same sheet. `thickness`: of the wall, metres.
+    """
     found: dict[int, float] = defaultdict(float)
     for edge, other in brep.neighbours(side.id):
         if edge.convexity is EdgeConvexity.CONCAVE and _bears(brep.faces[other], edge):
             found[other] += edge.length
-        elif edge.convexity is EdgeConvexity.SMOOTH and is_blend(brep, brep.faces[other]):
+        elif (
+            edge.convexity is EdgeConvexity.SMOOTH
+            and is_blend(brep, brep.faces[other])
+            and not _is_bend(brep, brep.faces[other], thickness)
+        ):
             for face in set(brep.beside(other, EdgeConvexity.SMOOTH)) - {side.id}:
                 if brep.faces[other].outward < 0 and _bears(brep.faces[face], edge):
                     found[face] += edge.length
     return sorted(found.items())
+
+
+def _is_bend(brep: Brep, inner: FaceRecord, thickness: float) -> bool:
+    """Does an outer cylinder about the same axis lie one thickness of the wall behind a fillet?"""
+    near = SAME * thickness
+    return inner.kind is SurfaceKind.CYLINDER and any(
+        outer.kind is SurfaceKind.CYLINDER
+        and outer.outward > 0
+        and outer.body == inner.body
+        and abs(outer.radius - inner.radius - thickness) < near
+        and parallel(outer.axis, inner.axis, SQUARE)
+        and line_distance(outer.origin, inner.origin, inner.axis) < near
+        for outer in brep.faces
+    )
 
 
 def _bears(face: FaceRecord, edge: EdgeRecord) -> bool:
