@@ -333,14 +333,14 @@ def slot_between(
     width = gap_between(brep, pair, floor)
     runs_out = frame_of(brep, {floor.id}, floor.axis, None, along).size[1] > RUNS_OUT * width
     behind = {wall.id for wall in walls for side in pair if _are_back_to_back(wall, side)}
+    between = _between(brep, floor, pair, along)
     undercuts = undercut(brep, group, floor, pair)
     if undercuts is not None:
         width = undercuts.neck_width
         group = group | undercuts.neck
         frame = frame_of(brep, group, floor.axis, None, along)
         at_mouth = brep.of_kind(SurfaceKind.PLANE, undercuts.neck) or pair
-    elif behind or runs_out:
-        between = _between(brep, floor, pair, along)
+    elif behind or (runs_out and exceeds(between.size[0], width)):
         if behind and reaches(width, min(between.size[0], between.size[2])):
             refuse("slot", group, "the room between two walls that are farther apart than they are long or high")
             return None

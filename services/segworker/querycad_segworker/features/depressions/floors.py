@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
 from querycad_segworker.features.shared.regular import depth_of_flat
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import dot
 
@@ -49,7 +50,7 @@ def by_attitude(face: FaceRecord, planes: Sequence[FaceRecord]) -> tuple[float, 
     """
     largest = max(plane.area for plane in planes)
     return (
-        round(abs(face.axis[2]), 2),
+        abs(face.axis[2]) > FACING.parallel,
         round(face.area / largest, 2),
         dot(face.axis, (0.1, -0.2, 1.0)),
         face.area,

@@ -186,7 +186,7 @@ def _closed(
     frame = frame_of(brep, group, normal, rim if outline != "free" else None)
     mouth = frame if inside == group or not inside | floors else frame_of(brep, inside | floors, normal, None, frame.u)
     kind = DepressionKind.POCKET if floors else DepressionKind.PASSAGE
-    if around is None and kind is DepressionKind.PASSAGE and _leads_aside(brep, rim, group, normal):
+    if kind is DepressionKind.PASSAGE and around is None and _leads_aside(brep, rim, group, normal):
         refuse("cutout", group, "it ends aside of where it begins, as the inside of a bent tube does")
         return None
     found = depression_in(kind, outline, frame, group, tuple(sorted(floors)), host.body)
@@ -198,11 +198,11 @@ def _closed(
 
 
 def _leads_aside(brep: Brep, rim: Loop, group: set[int], normal: Vector) -> bool:
-    """Does what begins at a rim end beside it: does its far end lie more than the rim's width off to one side?"""
+    """Does what begins at a rim end beside it, between curved walls: more than the rim's width off to one side?"""
     far = [
         e for i in group for e in brep.face_edges[i] if e not in rim.edges and not group.issuperset(brep.edges[e].faces)
     ]
-    if not far:
+    if not far or brep.of_kind(SurfaceKind.PLANE, group):
         return False
     middle = mean([brep.edges[e].mid for e in rim.edges])
     reach = max(dist(p, middle) for e in rim.edges for p in brep.edge_points[e])
