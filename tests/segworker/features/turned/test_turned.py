@@ -325,3 +325,33 @@ def test_collars_of_a_lying_shaft_are_no_feet_and_standoffs_below_a_plate_are() 
     assert not [part for part in shaft.parts if "foot" in part.tags]
     stand = find(fuse(plate(100, 80, 8), *(cylinder(5, 20, (x, y, -28)) for x in (-40, 40) for y in (-30, 30))))
     assert [part.kind for part in stand.parts if "foot" in part.tags] == 4 * ["boss"]
+
+
+def flange_nut(radius: float) -> TopoDS_Shape:
+    """M10 of ISO 4161 in its proportions: a cone of 25 degrees runs from the rim of the flange into the hexagon."""
+    drop = (radius - 7) * math.tan(math.radians(25))
+    return cut(
+        fuse(cylinder(radius, 2), cone(radius, 7, drop, (0, 0, 2)), extruded(hexagon(16), 0, 11)), cylinder(4.25, 11)
+    )
+
+
+@pytest.mark.parametrize("degrees", [0, 40])
+def test_a_cone_that_a_hexagon_cuts_off_ends_at_it_and_the_body_is_a_nut(degrees: float) -> None:
+    found = find(turned(flange_nut(11), (1, 2, 3), degrees))
+    (flange,) = found.of("boss")
+    assert flange.height == pytest.approx((2 + 3 * math.tan(math.radians(25))) * MM)
+    assert {"nut", "hexagonal"} <= set(found.of("body")[0].tags)
+    assert "nut" not in body(flange_nut(14)).tags
+
+
+def test_a_nicked_drill_point_goes_on_to_its_apex() -> None:
+    plain = cut(box((30, 30, 30), (-15, -15, -30)), cylinder(4, 10, (0, 0, -10)), cone(4, 0, 2.4, (0, 0, -10), DOWN))
+    for shape in (plain, cut(plain, cylinder(0.6, 40, (2.5, 0, -35))), cut(plain, box((20, 1.5, 1), (0, -0.75, -11)))):
+        assert [point.height for point in find(shape).of("cone")] == near(2.4)
+
+
+def test_a_shaft_that_goes_on_beyond_a_collar_is_no_screw_and_a_head_with_a_button_is_one() -> None:
+    below = fuse(cylinder(10, 60, (0, 0, 0), DOWN), cylinder(16, 10))
+    assert "screw" in body(fuse(below, cylinder(14, 3, (0, 0, 10)))).tags
+    arbor = fuse(cylinder(10, 60, (0, 0, 0), DOWN), cylinder(16, 6), cylinder(6, 14, (0, 0, 6)))
+    assert "screw" not in body(arbor).tags

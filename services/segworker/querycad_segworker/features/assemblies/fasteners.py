@@ -1,4 +1,4 @@
-"""Screws and nuts by their shape: a head on a shank, a hexagon with a bore."""
+"""Screws and nuts by their shape: a head on a shank, a hexagon with a bore, with or without a flange."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from querycad_contracts import Part, PartKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_box, millimetres
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import add, box_extents, cross, dot, line_distance, norm, scale, sub, unit
+from querycad_segworker.vectors import add, box_extents, cross, dist, dot, line_distance, norm, scale, sub, unit
 
 HEAD_RATIO = (1.3, 2.6)
 """A head is this much wider than its shank: 1.5 times for ISO 4762 and ISO 4014 screws, less for long pins, up to 2.5
@@ -21,6 +21,9 @@ HEAD_GAP = 0.3
 """Share of the shank's radius that a washer face or an undercut takes between head and shank."""
 NUT_HEIGHT = (0.3, 1.3)
 """Height of a nut in diameters of its thread: thin nuts (ISO 4035) have 0.5, high ones (ISO 4033) 1."""
+NUT_FLANGE = 1.5
+"""A flange at one end of a nut is no more than so many times as wide as the hexagon across flats: 1.38 for M8 and 1.43
+for M20 in ISO 4161. A wider one is that of a fitting or a bush."""
 NUT_WIDTH = (1.3, 2.2)
 """Width across flats of a nut in diameters of its thread: 1.5 to 1.8 (ISO 4032), more for the smallest."""
 WHOLE = 0.6
@@ -75,8 +78,9 @@ def fasteners(parts: Sequence[Part], brep: Brep) -> dict[str, Fastened]:
                     found[head.id] = Fastened(("head",), {"height": max(above, head.height or 0.0)})
         for prism in members:
             bore = _nut_bore(prism, members)
-            if bore is not None and _share((prism, bore), body, brep) <= WHOLE:
-                refuse("nut", (*prism.faces, *bore.faces), "hexagon and bore are not most of the body")
+            flange = _nut_flange(prism, members)
+            if bore is not None and _share((prism, bore, *flange), body, brep) <= WHOLE:
+                refuse("nut", (*prism.faces, *bore.faces), "hexagon, bore and flange are not most of the body")
             elif bore is not None:
                 found[owner[body].id] = Fastened(("nut", "hexagonal"))
     return found
@@ -106,12 +110,17 @@ def _screws(steps: Sequence[Part]) -> list[tuple[Part, Part]]:
 
 
 def _is_beyond_head(step: Part, shank: Part, upwards: bool) -> bool:
-    """Does a step on the shank's axis reach further out than a head would, as the next journal of a shaft does?"""
+    """Does a step on the shank's axis reach further out than a head would, as the next journal of a shaft does?
+
+    Or is one out there longer than it is wide? A head ends in a button or a washer face at most.
+    """
     assert shank.axis is not None
     radius, height = shank.radius or 0.0, shank.height or 0.0
     if line_distance(step.center, shank.center, shank.axis) > NEAR * radius:
         return False
     along = dot(sub(step.center, shank.center), shank.axis) * (1.0 if upwards else -1.0)
+    if along > height / 2 and "cylindrical" in step.tags and (step.height or 0.0) > (step.width or 0.0):
+        return True
     return along + (step.height or 0.0) / 2 > height / 2 + (HEAD_HEIGHT * 2 + HEAD_GAP) * radius
 
 
@@ -222,3 +231,18 @@ def _nut_bore(prism: Part, members: Sequence[Part]) -> Part | None:
         if coaxial and low < prism.height / hole.diameter < high and narrow < prism.width / hole.diameter < wide:
             return hole
     return None
+
+
+def _nut_flange(prism: Part, members: Sequence[Part]) -> tuple[Part, ...]:
+    """The round flange at one end of a nut's hexagon, lower than that: none or one."""
+    if prism.kind != "prism" or not prism.width or not prism.height:
+        return ()
+    for step in members:
+        if step.kind != "boss" or "cylindrical" not in step.tags or not step.width or not step.height:
+            continue
+        off = line_distance(step.center, prism.center, prism.axis or Z)
+        apart = dist(step.center, prism.center) - (step.height + prism.height) / 2
+        wide = prism.width < step.width <= NUT_FLANGE * prism.width
+        if wide and off < 0.02 * prism.width and apart < NEAR * prism.width and step.height < prism.height:
+            return (step,)
+    return ()

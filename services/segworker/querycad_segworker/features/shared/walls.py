@@ -19,6 +19,9 @@ __all__ = ["REVOLVED", "Axis", "Wall", "is_waist", "same_surface", "walls"]
 ALIGNED = 1 - 1e-12
 """Cosine: along an axis of the file, where a face's box tells how far its rims reach, saddles too, to 1e-6 of it."""
 
+AT_WIDE_END = 1e-3
+"""Share of the distance from a cone's apex to its wide end, within which edges are those of the wide end."""
+
 
 def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
     """Which cylindrical, conical and toroidal walls does the model have? Neighbours on one surface are united.
@@ -72,7 +75,7 @@ def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:
     if first.kind is SurfaceKind.CONE:
         slope = math.tan(first.half_angle)
         if not any(_rings(brep.edges[e], axis, near=low) for f in faces for e in brep.face_edges[f.id]):
-            low = 0.0
+            low = _narrow_end(brep, faces, axis, high)
         radius_low, radius_high = max(low, 0.0) * slope, high * slope
     elif first.kind is SurfaceKind.TORUS:
         radii = [axis.radius_of(p) for p in points] or [first.radius]
@@ -93,6 +96,18 @@ def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:
         faces=tuple(face.id for face in faces),
         body=first.body,
     )
+
+
+def _narrow_end(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, high: float) -> float:
+    """Where does a cone end that no circle bounds towards its apex: where plane sides cut it off, or at its apex?
+
+    A position along the axis, 0 at the apex. A cone that reaches its apex has a seam or straight edges up to there, or
+    no edge but those of its wide end.
+    """
+    reach = min(
+        (axis.position(p) for f in faces for e in brep.face_edges[f.id] for p in brep.edge_points[e]), default=0.0
+    )
+    return reach if reach < (1 - AT_WIDE_END) * high else 0.0
 
 
 def _rings(edge: EdgeRecord, axis: Axis, near: float) -> bool:
