@@ -16,6 +16,7 @@ from tests.segworker.shapes import (
     cut,
     cylinder,
     extruded,
+    filleted,
     find,
     fuse,
     nurbs,
@@ -219,3 +220,17 @@ def test_a_sunk_countersink_and_a_step_that_a_drill_left_are_no_bowl() -> None:
         cut(plate(), cylinder(3, 30, (0, 0, -25)), cone(10, 3, 4, (0, 0, -12), DOWN), cylinder(10, 12, along=DOWN))
     )
     assert child(drilled, drilled.hole, "counterbore").diameter == pytest.approx(20 * MM)
+
+
+def test_a_fillet_at_its_floor_makes_a_bore_no_tapered_one_and_a_shallow_one_a_pocket() -> None:
+    """A taper is that of the wall: a drafted bore stays one, and what is deeper than a quarter of its width a hole."""
+    shallow, deep = (cut(plate(), cylinder(radius, 9, (0, 0, -9))) for radius in (19, 10))
+    found = find(filleted(shallow, 3, *rims(shallow, 19, -9)))
+    (pocket,) = found.of("pocket")
+    assert (pocket.width, pocket.depth) == near(38, 9)
+    assert not found.of("hole")
+    bore = find(filleted(deep, 2, *rims(deep, 10, -9))).hole
+    assert "tapered" not in bore.tags
+    assert bore.depth == pytest.approx(9 * MM)
+    drafted = find(cut(plate(), cylinder(6, 5, along=DOWN), cone(6, 4, 10, (0, 0, -5), DOWN))).hole
+    assert "tapered" in drafted.tags

@@ -36,6 +36,8 @@ class Section:
     end_radius: float
     normal: Vector
     faces: tuple[int, ...]
+    is_fillet: bool = False
+    """A torus between a wall and a floor or shoulder: no taper, and no stage of its own."""
 
 
 RIM = "rim"

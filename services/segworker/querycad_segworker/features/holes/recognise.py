@@ -99,8 +99,9 @@ def _widens(brep: Brep, wall: Wall) -> bool:
 
 
 def _is_recess(hole: Hole) -> bool:
-    """Is it a shallow round pocket with a flat floor, and nothing else on its axis?"""
-    alone = len(hole.sections) == 1 and hole.sections[0].kind is SectionKind.BORE and not hole.is_ring
+    """Is it a shallow round pocket with a flat floor, and nothing else on its axis but the fillet of that floor?"""
+    stages = [section for section in hole.sections if not section.is_fillet]
+    alone = len(stages) == 1 and hole.sections[0].kind is SectionKind.BORE and not hole.is_ring
     return alone and hole.bottom is Bottom.FLAT and not reaches(hole.depth, RECESS_RATIO * 2 * hole.radius)
 
 

@@ -94,7 +94,8 @@ def sections_of(
         else:
             kind = SectionKind.BORE
         normal = axis.direction if start_high else scale(axis.direction, -1.0)
-        found.append(Section(kind, axis.at(start), axis.at(end), radius, end_radius, normal, wall.faces))
+        is_fillet = wall.kind is SurfaceKind.TORUS
+        found.append(Section(kind, axis.at(start), axis.at(end), radius, end_radius, normal, wall.faces, is_fillet))
     return tuple(found)
 
 
@@ -203,7 +204,10 @@ def tags_of(sections: Sequence[Section], steps: Sequence[float]) -> tuple[str, .
     tags = ["circular"]
     if all(section.radius != section.end_radius for section in sections):
         tags.append("conical")
-    elif any(section.kind in _DRAFTED and section.radius != section.end_radius for section in sections):
+    elif any(
+        section.kind in _DRAFTED and section.radius != section.end_radius and not section.is_fillet
+        for section in sections
+    ):
         tags.append("tapered")
     if len(steps) > 1 or SectionKind.COUNTERBORE in kinds:
         tags.extend(("stepped", "counterbored") if SectionKind.COUNTERBORE in kinds else ("stepped",))
