@@ -105,3 +105,15 @@ def test_a_key_in_a_bore_is_as_high_as_it_stands_out_of_the_wall_and_looks_to_th
     (key,) = find(fuse(tube, box((5, 6, 20), (-17, -3, 10)))).of("protrusion")
     assert (key.height, key.length, key.width) == pytest.approx((0.003, 0.02, 0.006))
     assert key.normal == pytest.approx((1, 0, 0))
+
+
+def test_the_leaf_of_a_hinge_is_a_plate_and_no_rib_of_its_barrels() -> None:
+    """A fin on a tube and the web of a T section are ribs."""
+    leaf = cut(box((30, 60, 3)), *(box((4.5, 12, 3), (0, y, 0)) for y in (12, 36)))
+    barrels = [cylinder(4, 12, (0, y, 3), (0, 1, 0)) for y in (0, 24, 48)]
+    found = find(cut(fuse(leaf, *barrels), cylinder(2, 60, (0, 0, 3), (0, 1, 0))))
+    assert not found.of("rib")
+    assert [part.thickness for part in found.of("prism") if "plate" in part.tags] == pytest.approx([0.003])
+    tee = fuse(box((60, 40, 5)), box((60, 5, 55), (0, 17.5, 5)))
+    fin = fuse(cylinder(5, 60), box((10, 3, 60), (4, -1.5, 0)))
+    assert [len(find(shape).of("rib")) for shape in (tee, fin)] == [1, 1]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.reach import edges_span, faces_span
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.tolerances import FACING, Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances, exceeds
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import add, cross, dist, dot, parallel, scale, sub, unit
 
@@ -41,6 +41,8 @@ OWN = 1.5
 plate that stands out a little at its edge are not."""
 ALIKE = 0.3
 """Of two sides of a rib, the shorter one meets the top along more than this share of the longer one."""
+LEAF = 0.5
+"""Flanks with more than this share of their body's surface, on barrels only, are the two sides of what the body is."""
 FINS = 3
 """So many ribs alike, side by side, are fins."""
 
@@ -80,7 +82,8 @@ def recognise_ribs(brep: Brep, tolerances: Tolerances) -> list[Rib]:
 
     A rib is a plane top face with two parallel flanks that face away from each other, each meeting the top in a
     convex edge and the material below in a concave one, thin against its height and length. The outermost fins of a
-    row may be flush with what they stand on: there the outer flank has no foot of its own.
+    row may be flush with what they stand on: there the outer flank has no foot of its own. The leaf of a hinge is no
+    rib of its barrels.
     """
     return _standing_walls(brep, tolerances, RIB_RATIO)
 
@@ -157,6 +160,9 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
         short = "high" if height < thickness else "long"
         refuse("rib", {top.id, *own}, f"it is too thick for what it is {short}")
         return None
+    if ratio >= RIB_RATIO and _is_leaf(brep, flanks, along):
+        refuse("rib", {top.id, *own}, "it is most of the body, and carries the barrels that it ends at")
+        return None
     across, middle = unit(cross(out, along)), (foot + level) / 2
     # Flanks with draft lean: each is where its plane is at mid height.
     side = sum((dot(f.point, f.axis) - middle * dot(out, f.axis)) / dot(across, f.axis) for f in flanks) / 2
@@ -174,6 +180,19 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
         flanks=tuple(sorted(own)),
         body=top.body,
     )
+
+
+def _is_leaf(brep: Brep, flanks: tuple[FaceRecord, FaceRecord], along: Vector) -> bool:
+    """Are the flanks most of their body, and end only at outer cylinders? A plate with rolled edges, as of a hinge."""
+    ends = {
+        other
+        for flank in flanks
+        for edge, other in brep.neighbours(flank.id)
+        if edge.convexity is EdgeConvexity.CONCAVE and parallel(edge.direction, along, 1e-2)
+    }
+    on_rounds = all(brep.faces[i].kind is SurfaceKind.CYLINDER and brep.faces[i].outward > 0 for i in ends)
+    area = sum(flank.area for flank in flanks)
+    return bool(ends) and on_rounds and exceeds(area, LEAF * brep.bodies[flanks[0].body].area)
 
 
 def _foot(brep: Brep, flank: FaceRecord, top: FaceRecord) -> float | None:
