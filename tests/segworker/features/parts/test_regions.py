@@ -24,8 +24,10 @@ from tests.segworker.shapes import (
     rims,
     scaled,
     sewn,
+    shifted,
     torus,
     turned,
+    upright,
 )
 
 from querycad_contracts import Part, Side
@@ -180,3 +182,10 @@ def test_a_keyway_is_not_any_depression() -> None:
 def test_a_ball_on_a_stud_is_no_elevation_and_one_on_the_corner_of_a_block_is_one() -> None:
     assert not regions(fuse(BLOCK, cylinder(6, 30), ball(10, (0, 0, 38))))
     assert only(fuse(BLOCK, ball(10, (-30, 20, 0)))).kind == "elevation"
+
+
+def test_beside_a_tab_is_no_depression() -> None:
+    """Nothing bounds it but the tab and the one wall that it stands at."""
+    tab = box((22, 24, 4), (20, -12, 0))
+    right = filleted(tab, 5, *upright(tab))
+    assert not regions(fuse(box((60, 60, 30), (-30, -30, 0)), right, shifted(right, (-62, 0, 0))))

@@ -3,7 +3,17 @@
 from __future__ import annotations
 
 import pytest
-from tests.segworker.shapes import box, compound, cut, filleted, find, fuse, shifted, turned, upright
+from tests.segworker.shapes import (
+    box,
+    compound,
+    cut,
+    filleted,
+    find,
+    fuse,
+    shifted,
+    turned,
+    upright,
+)
 
 
 def test_each_body_of_an_assembly_has_the_thickness_of_its_own_walls() -> None:
@@ -96,3 +106,11 @@ def test_both_feet_of_a_hat_rail_are_plates_and_one_plate_is_one() -> None:
     assert [foot.thickness for foot in feet] == pytest.approx([0.002] * 2)
     grooved = cut(box((68, 56, 6)), box((8, 56, 2), (30, 0, 0)))
     assert len(find(grooved).of("prism")) == 1
+
+
+def test_two_ears_level_with_one_large_face_are_both_plates() -> None:
+    tab = box((22, 24, 4), (20, -12, 0))
+    right = filleted(tab, 5, *upright(tab))
+    ears = fuse(box((60, 60, 30), (-30, -30, 0)), right, shifted(right, (-62, 0, 0)))
+    found = [part for part in find(ears).of("prism") if "plate" in part.tags]
+    assert [part.thickness for part in found] == pytest.approx([0.004, 0.004])

@@ -70,11 +70,13 @@ def region_parts(
     breaks = frozenset(face for part in parts if part.kind.breaks_edge for face in part.faces)
     spokes = frozenset(face for part in parts if "spoke" in part.tags for face in part.faces)
     makers: dict[bool, Callable[[Region, int], Part | None]] = {True: maker.depression, False: maker.elevation}
+    standing = [frozenset(part.faces) for part in parts if part.kind.stands_out and part.kind is not PartKind.BODY]
     found: dict[bool, list[Part]] = {True: [], False: []}
     for region in closed_regions(brep, volumes.moments, across):
-        taken = faces_area(brep, region.faces & (cut | corners if region.sinks else out))
-        if _is_between_spokes(brep, region, spokes):
+        beside = region.sinks and any(_is_beside(region, faces) for faces in standing)
+        if beside or _is_between_spokes(brep, region, spokes):
             continue
+        taken = faces_area(brep, region.faces & (cut | corners if region.sinks else out))
         if not breaks >= region.faces and taken <= TAKEN * faces_area(brep, region.faces):
             part = makers[region.sinks](region, len(found[region.sinks]) + 1)
             found[region.sinks] += [part] if part is not None else []
@@ -92,6 +94,11 @@ def _is_between_spokes(brep: Brep, region: Region, spokes: Collection[int]) -> b
     sides = region.faces.intersection(spokes)
     rest = [brep.faces[i] for i in region.faces - sides]
     return len(sides) > 1 and all(face.kind is SurfaceKind.CYLINDER and face.outward > 0 for face in rest)
+
+
+def _is_beside(region: Region, standing: frozenset[int]) -> bool:
+    """Is all of a hollow but one face the outside of one part that stands out? That is the corner beside a tab."""
+    return len(region.faces) > 2 and len(region.faces - standing) == 1
 
 
 @dataclass(frozen=True, slots=True)

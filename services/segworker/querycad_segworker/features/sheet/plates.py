@@ -16,7 +16,7 @@ from querycad_segworker.features.shared.adjacency import breaks_edge
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_box
 from querycad_segworker.features.shared.walls import REVOLVED
-from querycad_segworker.tolerances import Tolerances, reaches, significant
+from querycad_segworker.tolerances import Tolerances, exceeds, reaches, significant
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import (
     add,
@@ -44,6 +44,8 @@ BASE_LEDGE, BASE_BARE = 0.25, 0.9
 """Between these shares of a base's face have another one across from it; on the rest stands what it carries."""
 DISC = 0.75
 """Round by so much of a turn it is a disc, which is a boss; a plate with one round end is round by less."""
+OWN = 2.0
+"""A face larger than so many times the plate is that of what the plate goes on from: it may have further ones."""
 ALIKE = 1e-9
 """Lengths of outline, as shares of it, that differ by less differ by rounding."""
 
@@ -83,7 +85,8 @@ def recognise_plates(brep: Brep, prisms: Sequence[Prism], ribs: Sequence[Rib], t
     # Of a bent sheet's two sides, as large as each other, the outer one counts: it goes on over its bends.
     for _, plate, faces in sorted(found, key=lambda one: (-one[0][0], -one[0][1], one[1].faces)):
         if taken.isdisjoint(faces):
-            taken |= faces
+            own = OWN * plate.length * plate.width
+            taken |= {face for face in faces if not exceeds(brep.faces[face].area, own)}
             kept.append(plate)
     kept += _bases(across, [*prisms, *kept], tolerances)
     return sorted(kept, key=lambda plate: plate.faces[0])
