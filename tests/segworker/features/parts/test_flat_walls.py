@@ -336,3 +336,17 @@ def test_a_wall_beside_a_slot_is_as_high_as_the_slot_is_deep() -> None:
 def test_the_side_of_a_box_is_as_high_as_its_outside_however_thick_the_floor() -> None:
     walls = find(cut(box((80, 60, 50)), box((74, 54, 50), (3, 3, 8)))).of("wall")
     assert [wall.height for wall in walls] == pytest.approx(4 * [50 * MM])
+
+
+def test_the_floor_of_a_pocket_with_round_ends_is_no_ear() -> None:
+    """Its round end is the foot of the wall around it, also where a slot lies about the same middle."""
+    case = cut(box((70, 40, 20), (-35, -20, 0)), _obround(64, 34, 16, 4), _obround(37.5, 7.5, 10, 0))
+    (floor,) = find(case).of("floor")
+    assert floor.thickness == pytest.approx(4 * MM)
+    assert "ear" not in floor.tags
+
+
+def _obround(length: float, width: float, height: float, z: float) -> TopoDS_Shape:
+    far = (length - width) / 2
+    middle = box((2 * far, width, height), (-far, -width / 2, z))
+    return fuse(middle, *(cylinder(width / 2, height, (x, 0, z)) for x in (-far, far)))

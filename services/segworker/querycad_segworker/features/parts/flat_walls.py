@@ -322,11 +322,13 @@ def _rims(side: Sequence[FaceRecord]) -> set[int]:
 
 
 def _is_ear(brep: Brep, face: FaceRecord) -> bool:
-    """Does it end round about a hole, as ears and eyes do?"""
+    """Does it end round about a hole, as ears and eyes do? Not where it ends at a round wall that rises from it."""
     arcs = [brep.edges[e] for loop in face.loops if loop.outer for e in loop.edges]
     inner = [brep.edges[e] for loop in face.loops if not loop.outer for e in loop.edges]
     for arc in arcs:
         if arc.kind is not EdgeKind.CIRCLE or not arc.radius or arc.center is None or arc.closed:
+            continue
+        if arc.convexity is EdgeConvexity.CONCAVE:
             continue
         if arc.length < HALF_TURN_RAD * arc.radius:
             continue
