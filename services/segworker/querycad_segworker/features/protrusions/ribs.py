@@ -103,6 +103,8 @@ def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float, *, round_t
         if not pairs and (flanks := _flush_pair(sides, footed)) is not None:
             flush.append(_rib(brep, top, flanks, {f.id for f in flanks if f.id in footed}, ratio))
     ribs = _widest_tops(brep, [rib for rib in standing if rib is not None])
+    if ratio >= RIB_RATIO:
+        ribs = [rib for rib in ribs if not _is_leaf(brep, rib)]
     ends = [end for end in flush if end is not None and any(_same_row(brep, end, rib, tolerances) for rib in ribs)]
     row = [*ribs, *ends]
     ends = [end for end in ends if sum(_same_row(brep, end, rib, tolerances) for rib in row) >= FINS]
@@ -160,9 +162,6 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
         short = "high" if height < thickness else "long"
         refuse("rib", {top.id, *own}, f"it is too thick for what it is {short}")
         return None
-    if ratio >= RIB_RATIO and _is_leaf(brep, flanks, along):
-        refuse("rib", {top.id, *own}, "it is most of the body, and carries the barrels that it ends at")
-        return None
     across, middle = unit(cross(out, along)), (foot + level) / 2
     # Flanks with draft lean: each is where its plane is at mid height.
     side = sum((dot(f.point, f.axis) - middle * dot(out, f.axis)) / dot(across, f.axis) for f in flanks) / 2
@@ -182,17 +181,20 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
     )
 
 
-def _is_leaf(brep: Brep, flanks: tuple[FaceRecord, FaceRecord], along: Vector) -> bool:
+def _is_leaf(brep: Brep, rib: Rib) -> bool:
     """Are the flanks most of their body, and end only at outer cylinders? A plate with rolled edges, as of a hinge."""
     ends = {
         other
-        for flank in flanks
-        for edge, other in brep.neighbours(flank.id)
-        if edge.convexity is EdgeConvexity.CONCAVE and parallel(edge.direction, along, 1e-2)
+        for flank in rib.flanks
+        for edge, other in brep.neighbours(flank)
+        if edge.convexity is EdgeConvexity.CONCAVE and parallel(edge.direction, rib.direction, 1e-2)
     }
     on_rounds = all(brep.faces[i].kind is SurfaceKind.CYLINDER and brep.faces[i].outward > 0 for i in ends)
-    area = sum(flank.area for flank in flanks)
-    return bool(ends) and on_rounds and exceeds(area, LEAF * brep.bodies[flanks[0].body].area)
+    area = sum(brep.faces[flank].area for flank in rib.flanks)
+    if bool(ends) and on_rounds and exceeds(area, LEAF * brep.bodies[rib.body].area):
+        refuse("rib", rib.faces, "it is most of the body, and carries the barrels that it ends at")
+        return True
+    return False
 
 
 def _foot(brep: Brep, flank: FaceRecord, top: FaceRecord) -> float | None:
