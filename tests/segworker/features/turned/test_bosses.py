@@ -313,19 +313,3 @@ def test_the_middle_of_a_disc_turned_out_on_both_sides_is_a_hub_and_no_bosses() 
     found = find(wheel)
     assert [part.diameter for part in found.parts if "hub" in part.tags] == pytest.approx([0.046])
     assert not [boss for boss in found.of("boss") if (boss.diameter or 0) < 0.1]
-
-
-def test_an_ear_flush_with_its_plate_at_both_ends_is_no_boss() -> None:
-    corner = (20.0, 20.0, 0.0)
-    for rounded in (False, True):
-        ear = fuse(box((40, 40, 6), (-20, -20, 0)), cylinder(8, 6, corner))
-        shape = cut(ear, cylinder(3, 6, corner))
-        shape = filleted(shape, 0.5, *rims(shape, 8, 6)) if rounded else shape
-        assert not find(shape).of("boss")
-
-
-def test_an_ear_that_stands_out_of_its_plate_at_one_end_is_a_boss() -> None:
-    corner = (20.0, 20.0, 0.0)
-    hub = fuse(box((40, 40, 6), (-20, -20, 0)), cylinder(8, 10, corner))
-    (boss,) = find(cut(hub, cylinder(3, 10, corner))).of("boss")
-    assert boss.diameter == pytest.approx(0.016)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence, Set
 
 from querycad_contracts import SurfaceKind
@@ -10,7 +9,6 @@ from querycad_segworker.tolerances import reaches
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import dot, mean, parallel
 
-from .coaxial_stacks import Stack
 from .walls import Axis, Wall
 
 ALIKE = 1.001
@@ -21,10 +19,6 @@ FLANGE_RATIO = 1.2
 """A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 CENTRED = 0.02
 """What lies around an axis has its middle nearer to it than this share of the radius."""
-ALL_AROUND_RAD = math.radians(350.0)
-"""What covers more stands by itself; the round end of a plate is open to the rest of the plate."""
-RUNS_ON = 2.0
-"""A face that reaches so many radii from the axis is no end of a boss alone: it goes a radius beyond its wall."""
 
 
 def is_collar(steps: Sequence[tuple[Wall, ...]], place: int, *, hollow: bool, undercut: bool) -> bool:
@@ -75,23 +69,3 @@ def is_clasped(brep: Brep, axis: Axis, faces: Set[int]) -> bool:
                 if axis.radius_of(middle) < CENTRED * max(brep.faces[wall].radius for wall in faces):
                     ends.add(dot(end.axis, axis.direction) > 0)
     return len(ends) == 2
-
-
-def is_end_of_plate(brep: Brep, stack: Stack) -> bool:
-    """Is it a round ear or eye, flush with the rest of the plate at both ends, whose faces run on as one there?"""
-    if not stack.open_both or any(wall.sweep > ALL_AROUND_RAD for wall in stack.walls):
-        return False
-    return all(_runs_on(brep, stack, high) for high in (False, True))
-
-
-def _runs_on(brep: Brep, stack: Stack, high: bool) -> bool:
-    """Does a plane square to the axis go well beyond the walls at this end, also beyond the round of the edge?"""
-    beyond = set(stack.beyond(high))
-    beyond |= {i for face in beyond for i in brep.beside(face, EdgeConvexity.SMOOTH)}
-    most = RUNS_ON * max(wall.radius for wall in stack.walls)
-    return any(
-        parallel(face.axis, stack.axis.direction, 1e-2)
-        and (dot(face.axis, stack.axis.direction) > 0) is high
-        and stack.axis.reach(face.box) > most
-        for face in brep.of_kind(SurfaceKind.PLANE, beyond)
-    )

@@ -18,15 +18,7 @@ from querycad_segworker.features.shared.coaxial_stacks import (
 )
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import end_of_corner_chamfer
-from querycad_segworker.features.shared.shaft_steps import (
-    ALIKE,
-    FLANGE_RATIO,
-    FLAT,
-    goes_on,
-    is_clasped,
-    is_collar,
-    is_end_of_plate,
-)
+from querycad_segworker.features.shared.shaft_steps import ALIKE, FLANGE_RATIO, FLAT, goes_on, is_clasped, is_collar
 from querycad_segworker.features.shared.walls import Axis, Wall, is_waist
 from querycad_segworker.tolerances import Tolerances, exceeds, reaches
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
@@ -115,9 +107,6 @@ def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], t
         return wall.outward > 0 and (wall.encloses or wall.faces in grown)
 
     for stack in stacks(brep, walls, tolerances, stands, over_roundings=True):
-        if is_end_of_plate(brep, stack):
-            refuse("boss", stack.faces, "the faces at both its ends run on: it is the round end of a plate")
-            continue
         steps = _steps(stack, tolerances)
         found.extend(_boss(brep, stack, steps, step, holes, tolerances) for step in steps)
     for wall in walls:
