@@ -209,5 +209,6 @@ def test_the_room_of_a_pocket_with_deeper_pockets_in_its_floor_is_no_ledge() -> 
 def test_a_plate_beyond_what_stands_across_it_is_no_ledge_and_the_tines_of_one_are() -> None:
     shape = fuse(box((100, 80, 25)), box((10, 80, 30), (70, 0, 25)))
     assert not find(shape).of("elevation")
-    tines = find(cut(shape, box((10, 30, 40), (90, 25, -5)))).of("elevation")
-    assert [tine.local_size for tine in tines] == [pytest.approx((0.025, 0.025, 0.01))] * 2
+    thick = fuse(box((100, 80, 45)), box((10, 80, 30), (70, 0, 45)))  # no thin wall, whose outline tines would be
+    tines = find(cut(thick, box((10, 30, 60), (90, 25, -5)))).of("elevation")
+    assert [tine.local_size for tine in tines] == [pytest.approx((0.045, 0.025, 0.01))] * 2

@@ -32,9 +32,9 @@ ARCHED = "arched"
 SKEW = math.sin(math.radians(3.0))
 """Sides that run apart by more than this lean on purpose; converted files are off by far less."""
 
-HULL = 0.7
+HULL = 0.75
 """An outline whose sides are less than that on its convex hull is no polygon with a name: a notch is as deep as long,
-so with .7 those in a square may take a third of a side."""
+so with .75 that in a square may take .4 of a side."""
 BROKEN_CORNER = 0.25
 """A side this much shorter than both its neighbours breaks their corner; those of a regular octagon are alike."""
 FLUSH = 1e-3
