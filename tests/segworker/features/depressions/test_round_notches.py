@@ -58,3 +58,9 @@ def test_flutes_that_end_before_the_end_face_are_slots_and_a_seat_in_an_edge_is_
     seat = find(cut(plate(), cylinder(8, 3, (0, -20, -3))))
     assert [step.depth for step in seat.of("step")] == near(3)
     assert not seat.of("slot")
+
+
+def test_a_round_cut_in_the_edge_of_a_block_is_a_step_also_where_it_is_deeper_than_long() -> None:
+    found = find(cut(plate(), cylinder(4, 15, (0, -20, -15))))
+    assert [step.depth for step in found.of("step")] == near(15)
+    assert not found.of("slot")

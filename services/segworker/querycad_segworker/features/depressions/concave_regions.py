@@ -230,7 +230,8 @@ def _open_on_floor(
         refuse("step", group, "its walls look away from each other: they are those of what stands on the floor")
         return None
     if not plane_walls and len(round_ends) == 1 and frame.size[2] > max(frame.size[:2]):
-        return None  # higher than long: a groove along the wall, and what looks like its floor is its end
+        if _is_in_round_rim(graph.brep, round_ends[0]):
+            return None  # higher than long: a flute along the rim, and what looks like its floor is its end
     kind = DepressionKind.STEP
     leaning = [wall for wall in plane_walls if dot(wall.axis, floor.axis) > LEANS_BACK]
     if any(sum(_meet(graph.brep, wall, end) for end in round_ends) > 1 for wall in plane_walls):
@@ -257,6 +258,17 @@ def _no_step(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord], leaning
     if len(walls) == 1 and is_d(brep, floor, walls[0]):
         return "it is the flat of a D shaft"
     return None
+
+
+def _is_in_round_rim(brep: Brep, wall: FaceRecord) -> bool:
+    """Is a round wall cut into what is round about a direction along it, as the grip flutes of a knob are?"""
+    beside = (brep.faces[i] for i in brep.beside(wall.id, EdgeConvexity.CONVEX))
+    return any(
+        face.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE)
+        and face.outward > 0
+        and parallel(face.axis, wall.axis, SQUARE)
+        for face in beside
+    )
 
 
 def _within_rim(
