@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Sequence, Set
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
@@ -45,7 +45,7 @@ def gusset_in(brep: Brep, sides: Sequence[int], center: Vector, thickness: float
     the shorter one. A side that is level with that of one of the faces has no foot there: then the gusset has the other
     side, and what is as wide as it is thick.
     """
-    feet = {face: _feet(brep, brep.faces[face], thickness) for face in sides}
+    feet = {face: _feet(brep, brep.faces[face], set(sides) - {face}, thickness) for face in sides}
     standing = {face: found for face, found in feet.items() if len(found) == 2}
     if len(sides) != 2 or not standing or max(map(len, feet.values())) > 2:
         return None
@@ -111,10 +111,11 @@ def _is_rim(face: FaceRecord, edge: EdgeRecord, thickness: float) -> bool:
     return edge.convexity is EdgeConvexity.CONVEX and abs(face.area - edge.length * thickness) < SAME * face.area
 
 
-def _feet(brep: Brep, side: FaceRecord, thickness: float) -> list[tuple[int, float]]:
+def _feet(brep: Brep, side: FaceRecord, behind: Set[int], thickness: float) -> list[tuple[int, float]]:
     """The planes and outer cylinders that a side of a wall stands on, over fillets too, and for how long.
 
-    Over the inside of a bend it stands on nothing: there it is the same sheet. `thickness`: of the wall, metres.
+    Over the inside of a bend it stands on nothing: there it is the same sheet. `behind`, `thickness`: the wall's
+    other side; of the wall, metres.
     """
     found: dict[int, float] = defaultdict(float)
     for edge, other in brep.neighbours(side.id):
@@ -123,7 +124,7 @@ def _feet(brep: Brep, side: FaceRecord, thickness: float) -> list[tuple[int, flo
         elif (
             edge.convexity is EdgeConvexity.SMOOTH
             and is_blend(brep, brep.faces[other])
-            and not _is_bend(brep, brep.faces[other], thickness)
+            and not _is_bend(brep, brep.faces[other], behind, thickness)
         ):
             for face in set(brep.beside(other, EdgeConvexity.SMOOTH)) - {side.id}:
                 if brep.faces[other].outward < 0 and _bears(brep.faces[face], edge):
@@ -131,17 +132,17 @@ def _feet(brep: Brep, side: FaceRecord, thickness: float) -> list[tuple[int, flo
     return sorted(found.items())
 
 
-def _is_bend(brep: Brep, inner: FaceRecord, thickness: float) -> bool:
-    """Does an outer cylinder about the same axis lie one thickness of the wall behind a fillet?"""
+def _is_bend(brep: Brep, inner: FaceRecord, behind: Set[int], thickness: float) -> bool:
+    """Does an outer cylinder about a fillet's axis, one thickness of the wall behind it, run on from the other side?"""
     near = SAME * thickness
     return inner.kind is SurfaceKind.CYLINDER and any(
         outer.kind is SurfaceKind.CYLINDER
         and outer.outward > 0
-        and outer.body == inner.body
         and abs(outer.radius - inner.radius - thickness) < near
         and parallel(outer.axis, inner.axis, SQUARE)
         and line_distance(outer.origin, inner.origin, inner.axis) < near
-        for outer in brep.faces
+        for side in behind
+        for outer in (brep.faces[i] for i in brep.beside(side, EdgeConvexity.SMOOTH))
     )
 
 

@@ -258,8 +258,7 @@ def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[
     if _looks(face, part.normal):
         corners = mesh.vertices_m[mesh.triangles[triangles]]
         sizes = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-        corners = corners[np.argsort(-sizes, kind="stable")[:MOST_STARTS]]
-        middles: Reals = corners.mean(axis=1)
+        middles: Reals = corners[np.argsort(-sizes, kind="stable")[:MOST_STARTS]].mean(axis=1)
         return middles
     return np.zeros((0, 3))
 

@@ -183,7 +183,7 @@ def _polygon(lines: Sequence[EdgeRecord], arcs: Sequence[EdgeRecord]) -> str:
 
     'polygonal' where the hull has less than `HULL` of the length of all sides: an L, a cross or a comb.
     """
-    normal = next((n for edge in lines if norm(n := cross(_along(lines[0]), _along(edge))) > SKEW), None)
+    normal = next((n for edge in lines if norm(n := cross(lines[0].direction, edge.direction)) > SKEW), None)
     if normal is None:
         return polygon_name([])
     normal = unit(normal)
@@ -191,14 +191,14 @@ def _polygon(lines: Sequence[EdgeRecord], arcs: Sequence[EdgeRecord]) -> str:
     longest = max(edge.length for edge in lines)
     sides: list[tuple[float, float, Vector]] = []  # angle of the normal, length, direction
     for edge in lines:
-        along = _along(edge)
+        along = edge.direction
         across = cross(along, normal)
         heights = [dot(sub(corner, edge.start), across) for corner in corners]
         if max(heights) > FLUSH * longest:
             across, heights = scale(across, -1.0), [-height for height in heights]
         if max(heights) > FLUSH * longest:
             continue
-        angle = math.atan2(dot(across, cross(normal, _along(lines[0]))), dot(across, _along(lines[0])))
+        angle = math.atan2(dot(across, cross(normal, lines[0].direction)), dot(across, lines[0].direction))
         same = next((i for i, side in enumerate(sides) if abs(math.remainder(side[0] - angle, math.tau)) < SKEW), None)
         if same is None:
             sides.append((angle, edge.length, along))
@@ -209,10 +209,6 @@ def _polygon(lines: Sequence[EdgeRecord], arcs: Sequence[EdgeRecord]) -> str:
     sides.sort()
     neighbours = zip(sides[-1:] + sides[:-1], sides, sides[1:] + sides[:1], strict=True)
     return polygon_name([side[2] for one, side, other in neighbours if side[1] > BROKEN_CORNER * min(one[1], other[1])])
-
-
-def _along(line: EdgeRecord) -> Vector:
-    return unit(sub(line.end, line.start))
 
 
 def polygon_name(sides: Sequence[Vector]) -> str:
@@ -236,8 +232,7 @@ def _runs(lines: Sequence[EdgeRecord], tolerances: Tolerances) -> list[Vector]:
     """The sides of an outline: collinear neighbouring lines are one side."""
     sides: list[tuple[Vector, Vector]] = []
     for line in lines:
-        start, end = line.start, line.end
-        d = unit(sub(end, start))
+        start, d = line.start, line.direction
         if not any(
             parallel(d, other, 1e-3) and norm(cross(sub(start, origin), other)) <= 10 * tolerances.length
             for origin, other in sides

@@ -151,11 +151,11 @@ def _gear(brep: Brep, rings: Sequence[Ring], axis: Axis, body: int, tolerances: 
             refuse("gear", ids, f"{teeth} pockets sunk into a face around the axis: flanks rise from their floors")
             return None
         flanks = [face for face in (brep.faces[i] for i in ids) if not _looks_out(face, axis, tolerances)]
-        if _are_parallel(flanks, axis, (max(radii) - min(radii)) * (1 if tips is max else -1)):
-            what = "slots with parallel walls: what is left between them widens outwards"
-            refuse(
-                "gear", ids, f"{teeth} {what if tips is max else 'ribs with parallel sides: teeth widen to their root'}"
-            )
+        depth = max(radii) - min(radii)
+        if _are_parallel(flanks, axis, depth if tips is max else -depth):
+            slots = "slots with parallel walls: what is left between them widens outwards"
+            ribs = "ribs with parallel sides: teeth widen to their root"
+            refuse("gear", ids, f"{teeth} {slots if tips is max else ribs}")
             return None
         members = _teeth(chosen, tops, axis)
     else:
