@@ -322,11 +322,7 @@ class Understanding:
         found = standing(self.reader.text, summary, parts) if whole else None
         if found is None:
             return None
-        code = (
-            candidate.written.code.replace(".extents[2]", f".extents[{found.axis}]")
-            .replace("shape.height", f"shape.extents[{found.axis}]")
-            .replace("p.height", f"p.extents[{found.axis}]")
-        )
+        code = f"solution = shape.extents[{found.axis}]"
         program = _program(candidate).model_copy(update={"code": code})
         answer = judge(program, run(program), unit, self._expect).answer
         if answer is None:
