@@ -84,8 +84,10 @@ def _rank(rank: Rank) -> str:
         return f"{nth}{rank.side.value}most"
     if rank.is_unordered:
         return nth.strip()
-    by = "" if rank.measure in (None, Measure.MAGNITUDE) else f" (by {measure_name(rank.measure)})"
-    return f"{nth}{'largest' if rank.most else 'smallest'}{by}"
+    measure = rank.measure or Measure.MAGNITUDE
+    more, less = _COMPARATIVES.get(measure, _COMPARATIVES[Measure.MAGNITUDE])
+    by = "" if measure in _COMPARATIVES else f" (by {measure_name(measure)})"
+    return f"{nth}{(more if rank.most else less).removesuffix('er')}est{by}"
 
 
 def _size(size: SizeFilter) -> str:
