@@ -18,6 +18,7 @@ from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .circles import on_one_circle, write_middle
 from .distances import distance, overlapping
 from .planes import SLACK, side_axis
+from .rows import count_rows, in_each, row_word
 from .sides import angle_between, at_both_ends, directions, facing, in_line, towards
 
 _OF_SHAPE = {
@@ -137,7 +138,7 @@ def _count(build: Builder, target: PartQuery, measure: Measure | None) -> str:
         build.parts(target)
         return f"len(faces(kind={kind!r}))"
     if measure is None:
-        return f"len({build.parts(target)})"
+        return count_rows(build, target) or f"len({build.parts(target)})"
     if measure is Measure.MIRROR_PLANES:
         if any("axisymmetric" in part.tags for part in build.of(target)):  # they are more than can be counted
             raise Unwritable
@@ -327,6 +328,8 @@ def _combine(build: Builder, form: forms.Combine) -> tuple[str, AnswerType]:
     left, kind = form.left, _kind(form.left)
     if form.operation == "per" and isinstance(left, Count) and isinstance(form.right, Count):
         parts, others = build.of(left.target), build.of(form.right.target)
+        if (word := row_word(form.right.target)) and (each := in_each(build, left.target, word)):
+            return each, kind
         if not others or len(parts) % len(others):
             raise Unwritable  # some have more
         return f"len({build.parts(left.target)}) // len({build.parts(form.right.target)})", kind
