@@ -69,7 +69,7 @@ class Adjective:
     loose: bool = False
     unchecked: bool = False
     decided: bool = False  # bodies and models without the tag are not so
-    opposite: tuple[str, ...] = ()  # what has one of these tags is surely not so
+    opposite: tuple[str, ...] = ()  # what has one of these tags, and none of its own, is surely not so
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,3 +18,19 @@ def test_a_long_cut_is_vertical_where_it_runs_up_and_not_where_it_opens_up() -> 
     )
     assert [p.id for p in find(runs, "the vertical slot").parts] == ["slot-z"]
     assert [p.id for p in find(runs, "the horizontal slot").parts] == ["slot-x"]
+
+
+def test_a_slot_that_runs_through_or_is_open_at_both_ends_has_no_closed_one() -> None:
+    groove, notch = ("blind", "open", "open_ended"), ("through", "open", "open_end")
+    cuts = inventory(part("slot-1", tags=groove), part("slot-2", (0.1, 0.0, 0.0), tags=notch))
+    assert [p.id for p in find(cuts, "slots that are open at both ends").parts] == ["slot-1"]
+    assert [p.id for p in find(inventory(part("slot-1", tags=groove)), "the continuous slots").parts] == ["slot-1"]
+    assert not find(inventory(part("slot-1", tags=("blind", "open", "open_end"))), "the continuous slots").parts
+
+
+def test_side_flats_are_all_around_and_side_walls_stand_upright() -> None:
+    flats = [part(f"face-{i}", tags=("planar", "milled", way)) for i, way in enumerate(("lying", "inclined"))]
+    walls = [part(f"wall-{i}", tags=("planar", way)) for i, way in enumerate(("lying", "upright"))]
+    model = inventory(*flats, *walls)
+    assert {p.id for p in find(model, "the side flats").parts} == {"face-0", "face-1"}
+    assert [p.id for p in find(model, "lateral walls").parts] == ["wall-1"]

@@ -108,8 +108,9 @@ def _adjective(request: Request, way: Candidate, name: str) -> Sequence[Candidat
     inventory, adjective = request.inventory, lexicon().adjectives.get(name)
     if adjective is None or not way.parts:
         return [way]
-    having = [p for p in way.parts if adjective.tags and inventory.has(p, adjective.tags)]
-    wider = [p for p in way.parts if adjective.fallback and inventory.has(p, adjective.fallback)]
+    able = [p for p in way.parts if not inventory.has(p, adjective.lacks)]
+    having = [p for p in able if inventory.has(p, adjective.tags)]
+    wider = [p for p in able if inventory.has(p, adjective.fallback)]
     if adjective.whole:
         return [way.to(way.parts, "whole_adjective" if way.features.get("whole_sense") else "adjective_nothing")]
     told = len(way.parts) == 1 or request.query.sample  # what one is, and all that are so, its tags tell
@@ -120,9 +121,8 @@ def _adjective(request: Request, way: Candidate, name: str) -> Sequence[Candidat
     several = not (told and adjective.tags)
     if adjective.order and several and not all(inventory.has(p, adjective.opposite) for p in way.parts):
         return _ordered(request, way, adjective, name)
-    if adjective.lacks:
-        return [way.to([p for p in way.parts if not inventory.has(p, adjective.lacks)], "adjective_agrees")]
-    return _lacked(inventory, way, adjective, name)
+    only_lacks = adjective.lacks and not adjective.tags
+    return [way.to(able, "adjective_agrees")] if only_lacks else _lacked(inventory, way, adjective, name)
 
 
 def _lacked(inventory: Inventory, way: Candidate, adjective: Adjective, name: str) -> Sequence[Candidate]:
@@ -133,7 +133,9 @@ def _lacked(inventory: Inventory, way: Candidate, adjective: Adjective, name: st
         return [way.to(way.parts, "adjective_unchecked" if adjective.unchecked else "adjective_nothing")]
     if adjective.loose:
         return [way.to(way.parts, "adjective_loose", unchecked=f"'{name}'")]
-    feature = "denied" if all(inventory.has(p, adjective.opposite) for p in way.parts) else "adjective"
+    feature = (
+        "denied" if all(inventory.has(p, adjective.opposite + adjective.lacks) for p in way.parts) else "adjective"
+    )
     return kept(way, (), feature, f"'{name}'")
 
 
