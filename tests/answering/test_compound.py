@@ -7,7 +7,8 @@ from tests.made import hole, part, view
 
 from querycad_answering.affinity import Affinity
 from querycad_answering.candidates import candidates
-from querycad_answering.compound import clauses
+from querycad_answering.compound import clauses, together
+from querycad_contracts import Answer, AnswerRecord, AnswerType, Failure, Part, Status, Unit
 from querycad_language.readings.reader import Reader
 
 MODEL = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004, length=0.01))
@@ -67,6 +68,9 @@ def test_what_is_asked_of_several_is_several_questions(question: str, said: tupl
         "How long is the slot, measured along its axis and from the outer edge?",
         "The cover has a lug, 4 mm high and of 3 mm width. How long is the slot?",
         "In which direction does the slot run, as a unit vector in model coordinates?",
+        "How many lugs are there, all widths together?",
+        "How many lugs in total, on both slots?",
+        "How many lugs cross the slot, counting each full-width lug as one?",
     ],
 )
 def test_what_gives_one_answer_is_one_question(question: str) -> None:
@@ -75,3 +79,21 @@ def test_what_gives_one_answer_is_one_question(question: str) -> None:
 
 def test_longer_lists_are_tables() -> None:
     assert parted("Lug width, bore depth, rib height, slot length, pad thickness, groove radius?") == ()
+
+
+def _counted(number: int, confidence: float, *parts: Part) -> AnswerRecord:
+    answer = Answer(value=number, type=AnswerType.COUNT, unit=Unit.NONE, text=str(number))
+    told = {"answer": answer, "code": f"solution = {number}", "codegen": "parser", "parts": parts}
+    record = AnswerRecord.failed("How many?", Failure(category="not_grounded", message=""))
+    return record.model_copy(update={**told, "status": Status.ANSWERED, "confidence": confidence, "failure": None})
+
+
+def test_the_number_of_the_same_parts_asked_twice_is_one_and_of_others_two() -> None:
+    first, second = hole(1), hole(2)
+    once = together([_counted(1, 0.9, first), _counted(1, 0.6, first)], lambda _: None)
+    assert once is not None
+    assert once.answer is not None
+    assert (once.answer.value, once.confidence) == (1, 0.6)
+    joined: list[str] = []
+    together([_counted(1, 0.9, first), _counted(1, 0.6, second)], lambda program: joined.append(program.code))
+    assert len(joined) == 1

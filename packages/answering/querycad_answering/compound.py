@@ -36,9 +36,23 @@ _AXES = re.compile(
 )
 _LEANING = ("its", "their", "each")
 _VERBS = ("ask", "where", "be", "do", "exists")
-_EXPLAINING = ("as", "namely", "meaning", "measured", "to", "from", "over", "across", "along", "not", "past")
+_EXPLAINING = (
+    "as",
+    "namely",
+    "meaning",
+    "measured",
+    "counting",
+    "to",
+    "from",
+    "over",
+    "across",
+    "along",
+    "not",
+    "past",
+)
 """Words that a stretch begins with which says more of what was asked before it."""
 _WISHES = ("need", "want", "wish", "would", "must", "should", "like", "also")
+_SUMMED = ("together", "altogether", "combined")
 _WHERE = ("of", "on", "in", "at", "between")
 _OF_TWO = ("same", "different", "operation", "comparing", "minus")
 """What makes one value of two measures: 'the ratio of the width of … and the height of …'."""
@@ -131,9 +145,10 @@ def _only_says_how(asked: Question, one: _Clause, found: Sequence[_Clause]) -> b
     second = range(one.start + 1, one.start + 2)
     explains = text.is_word(one.start, *_EXPLAINING) or " ".join(text.words[one.start : second.stop]) == "that is"
     tells = text.is_word(one.start, "i", "we") and not any(text.is_word(i, *_WISHES) for i in second)
+    sums = text.is_word(one.start, "all", "both") and text.is_word(one.end - 1, *_SUMMED)  # 'all sizes together'
     within = text.words[: one.start].count("(") > text.words[: one.start].count(")")
     _, end = text.sentences[asked.sentence_of(one.start)]
-    if explains or tells or within or not (asked.in_question(one.start) or text.is_word(end, "?", ";")):
+    if explains or tells or sums or within or not (asked.in_question(one.start) or text.is_word(end, "?", ";")):
         return True
     sizes = [span for span in text.all("measure", "scale") if found and found[-1].start <= span.start < one.end]
     said = [(span.start < one.start, getattr(span.value, "measure", span.value)) for span in sizes]
@@ -238,6 +253,8 @@ def _borrow(asked: Question, one: _Clause, before: _Clause | None) -> None:
     behind = range(begin + 1, text.skip(begin + 1, "article") + 1)
     if before is None or not before.mentions:
         return  # 'the angle, seen from above, between the lugs'
+    if text.is_word(begin + 1, "both", "all"):
+        return  # 'in total, on both faces'
     again = not text.is_word(begin, "between") or text.is_word(before.start, "between") or "between" in before.lead
     if text.is_word(begin, *_WHERE) and again and mention.part.known and mention.start in behind:
         one.asks, one.lead = [{mention.head}], _text(asked, min(before.asks[-1]), max(before.asks[-1]) + 1)
@@ -271,9 +288,14 @@ def _text(asked: Question, start: int, end: int) -> str:
 def together(records: Sequence[AnswerRecord], judged: Judged) -> AnswerRecord | None:
     """One answer of several, as sure as the least sure of them; None where one has no answer.
 
-    Numbers are one list, all else is told in words.
+    Numbers are one list, all else is told in words. The number of the same parts twice is one: 'how many screws, that
+    is, how many bolt holes'.
     """
     answers = [answer for one in records if (answer := _plain(one, judged)) is not None]
+    counted = all(one.type is AnswerType.COUNT for one in answers) and len(answers) == len(records)
+    parts = {tuple(sorted(part.id for part in one.parts)) for one in records}
+    if counted and len(parts) == 1 and len({str(one.value) for one in answers}) == 1:
+        return min(records, key=lambda one: one.confidence or 0.0)
     codes = [one.code for one in records if one.code]
     if len(answers) < len(records) or len(codes) < len(records):
         return None
