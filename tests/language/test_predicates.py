@@ -20,7 +20,8 @@ def every(question: str) -> list[tuple[PartQuery, PartQuery]]:
 @pytest.mark.parametrize(
     ("question", "adjective"),
     [
-        ("Does the drilling emerge on the far side?", "through"),
+        ("Does the drilling emerge on the far side?", "through both walls"),
+        ("Does the bore pass through both walls of the lever?", "through both walls"),
         ("Does the cross hole go right through?", "through"),
         ("Does the keyway run from one end to the other?", "open at both ends"),
         ("Does the groove go right across the lever?", "open at both ends"),

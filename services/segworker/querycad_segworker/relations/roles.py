@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Part, PartKind, Side
+from querycad_contracts import Part, PartKind, Side, Vector
 from querycad_contracts.places import TOUCH_M
 from querycad_segworker.vectors import cross, dot, line_distance, norm, sub, unit
 
@@ -144,6 +144,43 @@ def is_coaxial(hole: Part, kinds: Kinds) -> bool:
     )
 
 
+def is_right_through(cut: Part, kinds: Kinds) -> bool:
+    """Does a cut come out on the other side: through both walls of a ring, where it meets the wider bore?
+
+    What meets none goes right through where it goes through. One cut in each wall, alike and in line, do so together.
+    """
+    way, half = cut.axis or cut.normal, (cut.diameter or cut.width or 0.0) / 2
+    if way is None or not cut.kind.cuts_in:
+        return False
+    wider = [bore for bore in kinds.get("hole") if bore is not cut and (bore.radius or 0.0) > half]
+    met = [bore for bore in wider if _meets(cut, way, bore)]
+    if not met:
+        return "through" in cut.tags
+    return all(_passes(cut, way, bore, kinds) for bore in met)
+
+
+def _meets(cut: Part, way: Vector, bore: Part) -> bool:
+    """Does it run into a bore that is not parallel to it, by its line and the boxes?"""
+    if bore.axis is None or norm(square := cross(way, bore.axis)) <= _SQUARE:
+        return False
+    apart = abs(dot(sub(cut.center, bore.center), unit(square)))
+    return apart < (bore.radius or 0.0) and _boxes_touch(cut, bore)
+
+
+def _passes(cut: Part, way: Vector, bore: Part, kinds: Kinds) -> bool:
+    """Is it, or another one in line that is as wide, on the far side of the bore's axis, too?"""
+    beyond = dot(sub(bore.center, cut.center), way)
+    if "through" in cut.tags and abs(beyond) < (cut.depth or 0.0) / 2:
+        return True
+    size = cut.diameter or cut.width or 0.0
+    return any(
+        abs((twin.diameter or twin.width or 0.0) - size) <= _NEAR * size
+        and line_distance(twin.center, cut.center, way) <= _NEAR * size
+        and dot(sub(bore.center, twin.center), way) * beyond < 0.0
+        for twin in kinds.get(cut.kind)
+    )
+
+
 def is_crossing(hole: Part, kinds: Kinds) -> bool:
     """Does a hole take the same room as another one that is not parallel to it?"""
     others = (part for part in kinds.get("hole") if part is not hole)
@@ -158,11 +195,12 @@ def _cross(one: Part, other: Part) -> bool:
         return False
     between = unit(cross(one.axis, other.axis))
     apart = abs(dot(sub(one.center, other.center), between))
-    boxes = (
-        abs(a - b) <= (x + y) / 2
-        for a, b, x, y in zip(one.center, other.center, one.extents, other.extents, strict=True)
-    )
-    return apart < one.radius + other.radius and all(boxes)
+    return apart < one.radius + other.radius and _boxes_touch(one, other)
+
+
+def _boxes_touch(one: Part, other: Part) -> bool:
+    boxes = zip(one.center, other.center, one.extents, other.extents, strict=True)
+    return all(abs(a - b) <= (x + y) / 2 for a, b, x, y in boxes)
 
 
 def is_in_half(side: Side) -> Callable[[Part, Kinds], bool]:
@@ -214,6 +252,7 @@ ROLES: Mapping[str, Callable[[Part, Kinds], bool]] = {
     "inner": is_facing(inwards=True),
     "lone": is_lone,
     "outer": is_facing(inwards=False),
+    "right_through": is_right_through,
     "tight": is_tight,
     **{f"along_{name}": is_along(axis) for axis, name in enumerate("xyz")},
     **{f"{side.value}_half": is_in_half(side) for side in Side},

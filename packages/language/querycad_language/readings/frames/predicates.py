@@ -77,12 +77,12 @@ def _openings(question: Question, verb: Span, subject: Mention) -> Iterator[Pars
     text, part = question.text, subject.part
     end = next((i for i in range(verb.end, len(text)) if text.is_break(i) or text.is_word(i, ",")), len(text))
     sides = (text.find(at, "side") for at in range(verb.end, end) if not text.is_word(at - 1, "same"))
-    side, other = next(filter(None, sides), None), _behind(question, verb.end, end)
-    used = {*subject.used, *verb.tokens}
+    side, other, used = next(filter(None, sides), None), _behind(question, verb.end, end), {*subject.used, *verb.tokens}
     if any(verb.start <= span.start < end for span in text.all("all_through")):
-        lengthwise = any(text.is_word(i, "end", "across") for i in range(verb.start, end))
-        such = all_such(part, "open at both ends" if lengthwise else "through")
-        yield Parse(Every(part, such), _SAYS, {*used, *range(verb.start, end)})
+        said = {*text.words[verb.start : end]}
+        way = "through both walls" if said & {"side", "wall"} else "through"
+        way = "open at both ends" if said & {"end", "across"} else way
+        yield Parse(Every(part, all_such(part, way)), _SAYS, {*used, *range(verb.start, end)})
     elif side is not None:
         yield Parse(Every(part, all_such(replace_fields(part, sides=(side.value,)))), _SAYS, {*used, *side.tokens})
     elif other is not None and other.part.noun in _ENDS:
