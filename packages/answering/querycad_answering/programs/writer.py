@@ -17,6 +17,7 @@ from querycad_language.phrases import bare_of
 from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .circles import on_one_circle, write_middle
 from .distances import distance, overlapping
+from .openings import count_openings
 from .planes import SLACK, side_axis
 from .rows import count_rows, in_each, row_word
 from .sides import angle_between, at_both_ends, directions, facing, in_line, towards
@@ -138,7 +139,8 @@ def _count(build: Builder, target: PartQuery, measure: Measure | None) -> str:
         build.parts(target)
         return f"len(faces(kind={kind!r}))"
     if measure is None:
-        return count_rows(build, target) or f"len({build.parts(target)})"
+        special = count_rows(build, target) or count_openings(build, target)
+        return special or f"len({build.parts(target)})"
     if measure is Measure.MIRROR_PLANES:
         if any("axisymmetric" in part.tags for part in build.of(target)):  # they are more than can be counted
             raise Unwritable
