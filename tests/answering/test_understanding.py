@@ -11,7 +11,7 @@ from tests.made import body, hole, inventory, part, view, whole
 from querycad_answering.affinity import Affinity
 from querycad_answering.answering import answer_question
 from querycad_answering.candidates import candidates, with_value
-from querycad_answering.confidence import calibrated
+from querycad_answering.confidence import NOT_SURE, calibrated, most
 from querycad_answering.ranking import key, ranked
 from querycad_answering.understanding import ModelView, Understanding, meant
 from querycad_contracts import (
@@ -26,6 +26,7 @@ from querycad_contracts import (
 )
 from querycad_language.forms import Which
 from querycad_language.readings import read
+from querycad_language.readings.reader import Reader
 from querycad_sandbox import Sandbox
 from querycad_segworker.grounding.find import find
 
@@ -240,3 +241,12 @@ def test_two_that_are_alike_are_hardly_meant_where_one_is_asked_for() -> None:
     which = next(one for one in found if isinstance(one.reading.form, Which))
     assert "value_alike" in with_value(which, "left boss and right boss alike", model.whole.extents).features
     assert "value_alike" not in with_value(which, "left boss", model.whole.extents).features
+
+
+@pytest.mark.parametrize(
+    ("question", "at_most"), [("How many bores are in the long side?", NOT_SURE), ("How many bores are there?", 1.0)]
+)
+def test_a_number_that_passes_over_a_measure_is_not_sure(question: str, at_most: float) -> None:
+    model, reader = view(*THREE), Reader(question)
+    best = candidates(reader.readings, model.ground, model.whole, Affinity((), model.whole))[0]
+    assert most(best, reader.text) == at_most

@@ -67,7 +67,8 @@ SKIPPED_RESTRICTIONS = ("skip_number", "skip_negation", "skip_comparison", "skip
 NOT_SURE = 0.75
 """So sure, at most, is a value of a reading that passes over a number, negation, comparison or side, or that could not
 check a word that restricts. Of 136 surer ones by unread writers 16 were wrong, of 680 others 23. So sure is the number
-of parts that are not what the noun itself means, of cutouts as holes, and the least of several spacings."""
+of parts that are not what the noun itself means, of cutouts as holes, or where a measure is passed over, and the least
+of several spacings."""
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
 decides or lists and passes over a word, or gives the smallest extent of a body for the thickness of its material, or a
@@ -119,8 +120,8 @@ def _limits(candidate: Candidate, text: Text) -> Iterator[float]:
         yield OTHER_CLASS
     if isinstance(form, Count) and candidate.value == 0:
         yield NONE_COUNTED
-    if isinstance(form, Count) and not all(map(is_own, candidate.grounds.values())):
-        yield NOT_SURE
+    if isinstance(form, Count) and (features.get("skip_measure") or not all(map(is_own, candidate.grounds.values()))):
+        yield NOT_SURE  # 'in the long side' restricts, too
     if any(map(features.get, SKIPPED_RESTRICTIONS)) or unchecked(candidate) or uneven(candidate):
         yield NOT_SURE
 
