@@ -122,7 +122,7 @@ class Part:
     """Visible from; of a hole, into it."""
     faces: list[Face]
     center: Vector
-    """Of a hole: half-way between its ends. On its axis."""
+    """Of a hole: half-way between its ends, on its axis. Of a sphere: of the ball. Of a curved slot: on its arc."""
     opening: Vector
     """Centre of where it opens."""
     openings: list[Opening]

@@ -194,6 +194,9 @@ def test_a_curved_slot_is_measured_along_its_arc() -> None:
     slot = only(found.of("cutout"))
     assert "curved" in slot.tags
     assert [slot.length, slot.width] == near(17 * angle + 6, 6)
+    assert slot.center == near(17, 0, 2)  # half-way along its centre line, not of its box
+    assert slot.opening is not None
+    assert slot.opening[:2] == near(17, 0)
     assert not found.of("fillet")
     assert not found.of("round")
 

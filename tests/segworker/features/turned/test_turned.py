@@ -150,9 +150,10 @@ def test_a_domed_pin_reaches_to_the_top_of_its_dome() -> None:
 def test_a_shallow_spherical_seat_or_crown_is_a_sphere_and_a_rounded_corner_is_none() -> None:
     seat = cut(cylinder(12, 20), ball(15, (0, 0, 30)))
     washer = cut(common_ball(20.0), cylinder(5, 60, (0, 0, -30)))
-    for shape, radius, side in ((seat, 15.0, "inner"), (washer, 20.0, "outer")):
+    for shape, radius, side, height in ((seat, 15.0, "inner", 30), (washer, 20.0, "outer", 0)):
         (found,) = find(shape).of("sphere")
         assert side in found.tags
+        assert found.center == near(0, 0, height)  # of the ball, not of what is there of it
         assert found.radius == pytest.approx(radius * MM)
     block = box((30, 30, 30))
     assert find(filleted(block, 4, *edges(block))).of("sphere") == []

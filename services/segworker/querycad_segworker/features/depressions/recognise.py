@@ -17,7 +17,7 @@ from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dist, dot, foot, mean, norm, parallel, scale, sub, unit
+from querycad_segworker.vectors import add, cross, dist, dot, foot, mean, norm, parallel, scale, sub, unit
 
 from .cavities import recognise_cavities
 from .concave_regions import group_depression
@@ -193,6 +193,9 @@ def _closed(
     found = replace(found, corner_radius=corner, length=mouth.size[0], width=mouth.size[1])
     bow = bow_of([brep.edges[e] for e in rim.edges], tolerances) if outline == "curved" else None
     if bow is not None:
+        off = sub(bow.middle, found.opening)  # the middle of a bent slot is that of its centre line
+        shift = sub(off, scale(normal, dot(off, normal)))
+        found = replace(found, center=add(found.center, shift), opening=add(found.opening, shift))
         return replace(found, length=bow.radius * bow.angle + bow.width, width=bow.width, angle=bow.angle)
     return _around_island(brep, found) or found
 

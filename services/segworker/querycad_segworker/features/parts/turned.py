@@ -184,19 +184,18 @@ def _is_corner(brep: Brep, faces: Sequence[int]) -> bool:
 
 
 def _sphere_part(brep: Brep, faces: Sequence[int], number: int) -> Part:
-    """A ball, dome or spherical hollow."""
+    """A ball, dome or spherical hollow; its centre is that of the ball, also where only a part of that is there."""
     record = brep.faces[faces[0]]
     side = "outer" if record.outward > 0 else "inner"
     whole = faces_area(brep, faces) > 0.75 * 4 * math.pi * record.radius**2
-    box = faces_box(brep, faces)
     return Part(
         id=f"sphere-{number}",
         kind="sphere",
         tags=(side, "spherical", "ball" if whole else "dome"),
         label=f"{side} sphere, diameter {millimetres(2 * record.radius)}",
         faces=tuple(faces),
-        center=record.origin if whole else box_center(box),
-        extents=box_extents(box),
+        center=record.origin,
+        extents=box_extents(faces_box(brep, faces)),
         radius=record.radius,
         diameter=2 * record.radius,
         area=faces_area(brep, faces),

@@ -16,6 +16,7 @@ from querycad_segworker.vectors import (
     cross,
     dist,
     dot,
+    mean,
     norm,
     parallel,
     perpendicular,
@@ -122,6 +123,8 @@ class Bow:
     width: float
     angle: float
     """Between the centres of its ends."""
+    middle: Vector
+    """Half-way along its centre line."""
 
 
 def bow_of(arcs: Sequence[EdgeRecord], tolerances: Tolerances) -> Bow | None:
@@ -148,7 +151,11 @@ def bow_of(arcs: Sequence[EdgeRecord], tolerances: Tolerances) -> Bow | None:
     half_turns = all(abs(r - width / 2) <= near and abs(angle - math.pi) < 0.05 for _, r, angle in ends)
     if not half_turns or dist(inner[0], outer[0]) > near:
         return None
-    return Bow((inner[1] + outer[1]) / 2, width, outer[2])
+    radius = (inner[1] + outer[1]) / 2
+    # The middle of an arc lies from its centre towards the mean of its points, weighted by their pieces' chords.
+    sides = [arc for arc in arcs if arc.center and arc.radius and arc.radius > radius]
+    chords = [scale(sub(arc.mid, outer[0]), math.sin(arc.length / 2 / outer[1])) for arc in sides]
+    return Bow(radius, width, outer[2], add(outer[0], scale(unit(mean(chords)), radius)))
 
 
 def outline_of(brep: Brep, rim: Loop, tolerances: Tolerances) -> tuple[str, float | None]:
