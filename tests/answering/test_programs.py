@@ -424,6 +424,21 @@ def test_bores_of_one_size_among_others_lie_apart_by_their_own_pitch() -> None:
         assert (like in code) is is_like
 
 
+def test_the_teeth_of_a_gear_are_an_equal_share_of_its_turn_apart() -> None:
+    teeth = tuple(part(f"tooth-1.{i}") for i in range(1, 13))
+    assert "6.283185307179586 / len(" in write(Angle(PINS, None), {PINS: (teeth, 0)}, whole()).code
+    others = (part("tooth-1.1"), part("tooth-2.1"))
+    assert "6.283185307179586" not in write(Angle(PINS, None), {PINS: (others, 0)}, whole(axis=(0.0, 0.0, 1.0))).code
+
+
+def test_one_thing_is_on_a_side_where_all_that_is_taken_for_it_is() -> None:
+    form, apart = Towards(LEVERS, (Side.LEFT, Side.RIGHT)), (part("rib-1", (-0.04, 0, 0)), part("rib-2", (0.04, 0, 0)))
+    with pytest.raises(Unwritable):
+        write(form, {LEVERS: (apart, 0)}, whole())
+    assert write(form, {LEVERS: (apart[:1] * 2, 0)}, whole()).code
+    assert write(Towards(PINS, form.sides), {PINS: (apart, 0)}, whole()).code
+
+
 def test_of_many_bores_too_only_those_of_one_size_are_compared(checker: TypeChecker) -> None:
     holes = (*(hole(i, 10 * i) for i in range(1, 80)), hole(80, 5, diameter=0.02))
     code = write(Distance(HOLES, "each other"), {HOLES: (holes, 0)}, whole()).code

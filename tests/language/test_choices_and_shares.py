@@ -158,7 +158,39 @@ def test_a_part_of_a_hole_or_a_cone_is_measured_on_it(question: str, noun: str, 
         ("The slot that runs through the hub?", False),
         ("The lugs are how thick?", False),
         ("Lugs are left or right?", False),
+        ("Slots all of the same width?", True),
+        ("Distance of the lugs on the same flange?", False),
     ],
 )
 def test_what_is_said_with_a_question_mark_is_answered_by_yes_or_no(question: str, closed: bool) -> None:
     assert Question(question).closed is closed
+
+
+@pytest.mark.parametrize(
+    ("question", "sides"),
+    [
+        ("Up, down or left: which way does the keyway open?", (Side.TOP, Side.BOTTOM, Side.LEFT)),
+        ("Is the lug on the top, the front or the back?", (Side.TOP, Side.FRONT, Side.BACK)),
+        ("Seen from the front, is the lug the left one or the right one?", (Side.LEFT, Side.RIGHT)),
+    ],
+)
+def test_the_sides_to_choose_from_are_those_that_are_offered(question: str, sides: tuple[Side, ...]) -> None:
+    assert {form.sides for form in forms(question) if isinstance(form, Towards)} == {sides}
+
+
+@pytest.mark.parametrize(
+    ("question", "seen"),
+    [
+        ("Which sides do not have a groove?", "none"),
+        ("To which side does the groove open, the one that does not end in a bore?", ""),
+    ],
+)
+def test_only_sides_that_are_denied_are_those_without(question: str, seen: str) -> None:
+    assert {form.seen or "" for form in forms(question) if isinstance(form, Towards)} == {seen}
+
+
+@pytest.mark.parametrize(
+    ("question", "exists"), [("Is there a rib?", True), ("What angle is there from one rib to the next?", False)]
+)
+def test_a_measure_that_is_there_is_no_yes_or_no(question: str, exists: bool) -> None:
+    assert any(isinstance(form, Exists) for form in forms(question)) is exists

@@ -115,3 +115,18 @@ def test_the_end_next_to_another_part_is_not_the_nearer_one() -> None:
         if isinstance(form, Distance)
     ]
     assert not any(isinstance(one, Boundary) and one.axis is not None for one in found)
+
+
+@pytest.mark.parametrize(
+    "question", ["What is the angular spacing of the lugs?", "What is the angle between neighbouring lugs?"]
+)
+def test_an_angle_from_one_to_the_next_is_none_of_a_single_part(question: str) -> None:
+    asked = forms(question)
+    assert any(isinstance(form, Angle) and form.first.noun == "lug" for form in asked)
+    single = [form for form in asked if isinstance(form, Get) and form.measures == (Measure.ANGLE,)]
+    assert all(form.target is None or form.target.noun != "lug" for form in single)
+
+
+def test_the_angle_of_slots_is_their_own() -> None:
+    asked = [form for form in forms("What is the angle of the slots?") if isinstance(form, Get)]
+    assert any(form.target is not None and form.target.noun == "slot" for form in asked)

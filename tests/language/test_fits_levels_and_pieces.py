@@ -89,6 +89,8 @@ def test_the_middle_of_a_rim_is_where_the_part_ends(question: str, measure: Meas
 
 def test_the_coordinates_of_the_middle_of_a_mouth_are_those_of_the_mouth() -> None:
     assert targets("What is the position of the middle of the mouth of the notch?", Measure.OPENING)
+    assert [one.noun for one in targets("Where is the centre of the notch's opening?", Measure.OPENING)] == ["notch"]
+    assert not targets("Where is the centre of the notch?", Measure.OPENING)
 
 
 @pytest.mark.parametrize(
@@ -114,6 +116,12 @@ def test_the_upper_two_are_ranked_by_where_they_are() -> None:
 )
 def test_the_point_angle_of_a_hole_is_that_of_its_conical_bottom(question: str) -> None:
     assert any(target.noun == "conical bottom" for target in targets(question, Measure.INCLUDED_ANGLE))
+
+
+def test_the_included_angle_of_a_vee_is_that_of_its_flanks() -> None:
+    found = [target.noun for target in targets("What is the included angle of the vee?", Measure.INCLUDED_ANGLE)]
+    assert "vee" in found
+    assert "conical bottom" not in found
 
 
 @pytest.mark.parametrize(

@@ -67,6 +67,8 @@ class Measure(StrEnum):
     WALL_DISTANCE = "wall_distance"
     """Of a hole: the material from its wall to the nearest outer face."""
     ANGLE = "angle"
+    ANGULAR_PITCH = "angular_pitch"
+    """Of like parts around an axis: from one to the next."""
     INCLUDED_ANGLE = "included_angle"
     """Of what tapers: from flank to flank."""
     DRAFT = "draft"

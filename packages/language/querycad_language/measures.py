@@ -19,7 +19,7 @@ _TYPES = {
     Measure.MIRROR_PLANES: AnswerType.DIRECTIONS, Measure.INERTIA: AnswerType.NUMBERS,
     **dict.fromkeys((Measure.ANGLE, Measure.INCLUDED_ANGLE, Measure.DRAFT, Measure.INCLINATION), AnswerType.ANGLE),
     **dict.fromkeys((Measure.AREA, Measure.OPENING_AREA, Measure.STANDING_AREA), AnswerType.AREA),
-    Measure.CROSS_SECTION_AREA: AnswerType.AREA,
+    Measure.CROSS_SECTION_AREA: AnswerType.AREA, Measure.ANGULAR_PITCH: AnswerType.ANGLE,
     **dict.fromkeys((Measure.POSITION, Measure.CENTER_OF_MASS, Measure.OPENING, Measure.TIP, *ENDS), AnswerType.POINT),
     **dict.fromkeys((Measure.FLOOR_CENTER, Measure.MIN_CORNER, Measure.MAX_CORNER), AnswerType.POINT),
     **dict.fromkeys((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.APPROACH), AnswerType.DIRECTION),

@@ -174,6 +174,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "angle; bend_angle; ~draft; ~2 * draft; ~1.5707963267948966 - angle; ~inclination; "
         f"~1.5707963267948966 - inclination; ?{_LEAN}; ?{_RISE}"
     ),
+    Measure.ANGULAR_PITCH: {"gear": "6.283185307179586 / count"},
     Measure.INCLUDED_ANGLE: "angle; ~2 * draft; bend_angle",
     Measure.DRAFT: f"draft; ~abs(1.5707963267948966 - inclination); ~{_LEAN}; ~inclination",
     Measure.INCLINATION: f"inclination; ~{_RISE}",

@@ -117,6 +117,8 @@ def angle_between(build: Builder, first: PartQuery, second: Target) -> str:
     parts = build.all_of(first, second)
     if len(parts) < 2:
         raise Unwritable
+    if second is None and len({part.id.split(".")[0] for part in parts if part.kind is PartKind.TOOTH}) == 1:
+        return f"6.283185307179586 / len({build.parts(first)})"  # the teeth of one gear divide its turn
     axes = [part.axis for part in parts if part.axis is not None]
     cosines = (sum(a * b for a, b in zip(axes[0], axis, strict=True)) for axis in axes)
     parallel = len(axes) == len(parts) and all(abs(cosine) > _PARALLEL for cosine in cosines)
@@ -168,6 +170,12 @@ def _axis_of(side: Side) -> str:
     return f"{'-' if '-' in sign else '+'}{'xyz'[i]}"
 
 
+def _gathered(parts: Sequence[Part], whole: Part) -> bool:
+    """May they be one thing that lies somewhere: are no two of them towards opposite ends of the model?"""
+    shares = [[2 * (part.center[i] - whole.center[i]) / whole.extents[i] for part in parts] for i in range(3)]
+    return not any(min(share) < -_TOWARDS and max(share) > _TOWARDS for share in shares)
+
+
 def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
 
@@ -176,7 +184,7 @@ def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     Or the side that 'most' of them are seen from, those that 'none' is, or how many are from 'each'.
     """
     parts, sides = build.of(form.target), [side.value for side in form.sides]
-    if not parts:
+    if not parts or not (form.target.plural or form.seen or _gathered(parts, build.whole)):
         raise Unwritable
     name = build.parts(form.target)
     if form.seen:

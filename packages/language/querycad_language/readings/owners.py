@@ -54,6 +54,8 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     pronoun = each or named or any(m.pronoun and link in STRONG for m, link in linked)
     owned = any(link in STRONG and not m.pronoun for m, link in linked)
     owners = [(m, link) for m, link in linked if not m.pronoun and (m.query is not None or link in STRONG)]
+    if asked.measures == (Measure.ANGLE,):  # 'the angle between neighbouring slots' is none of a slot
+        owners = [(m, at) for m, at in owners if at != "preposition" or not (m.plural and text.at_phrases("between"))]
     for nearest, (mention, link) in enumerate(sorted(owners, key=lambda pair: abs(pair[0].head - asked.start))):
         features = {f"link_{link}": 1.0}
         if pronoun and link in ("earlier", "before", "far_before", "topic", "having"):

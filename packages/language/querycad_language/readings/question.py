@@ -105,8 +105,8 @@ class Question:
         text, (start, end) = self.text, self.asking
         if any(text.is_word(i + 2, "n", "no", "false") for i in text.at_words("y", "yes", "true")):
             return True
-        alike = any(map(self.in_question, text.at_phrases("same")))
-        alike = alike and not any(text.find(i, *_ASKING) for i in range(start, end))
+        same = {i for i in text.at_phrases("same") if self.in_question(i) and not text.is_word(i - 2, "on", "in", "at")}
+        alike = bool(same) and not any(text.find(i, *_ASKING) for i in range(start, end))
         return text.is_word(end, "?") and (alike or self._declares)
 
     @property

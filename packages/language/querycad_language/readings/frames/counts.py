@@ -122,8 +122,8 @@ def exists(question: Question) -> Iterator[Parse]:
     if gap or text.at_phrases("overlap", "contact") or any(text.is_word(i + 1, "many") for i in text.at_words("as")):
         return  # whether there are the bodies that touch, or have play, or as many, is not asked
     for span in text.all("exists"):
-        counted = text.find(span.start, "count") or text.find(span.start - 1, "count", "ask", "noun", "scale")
-        if question.in_question(span.start) and not counted:
+        lead = text.find(span.start, "count") or text.find(span.start - 1, "count", "ask", "noun", "scale", "measure")
+        if question.in_question(span.start) and not lead:
             yield from _existing(text, [m for m in question.mentions if m.start >= span.start][:2], set(span.tokens))
     has = min(filter(question.in_question, text.at_phrases("have") - text.at_words("with")), default=len(text))
     owner = next((m for m in reversed(question.parts) if m.end <= has), None)

@@ -19,6 +19,7 @@ from .values import material
 MATES_WITHIN = 6  # words between a part and the verb that says where it goes
 _TURNED = ("open", "opens", "face", "facing", "point", "lean", "look", "looks")
 """Verbs of which way something is turned."""
+_UP_DOWN = {Side.TOP: ("up", "upward", "upwards"), Side.BOTTOM: ("down", "downward", "downwards")}
 
 
 def parts(question: Question) -> Iterator[Parse]:
@@ -74,7 +75,7 @@ def _side_by_numbers(question: Question, offered: tuple[Side, ...], named: set[i
         target = replace_fields(part.part, plural=True, ranks=(), sides=())
         towards = Towards(target, offered or tuple(Side), "most")
         yield Parse(towards, {"which_side": 1.0}, named | faces | most | part.used)
-    none = {i for i in asking if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
+    none = {i for i in asking if text.is_word(i, "no", "without", "none", "free", "zero", *["not"] * (i < part.start))}
     if faces and none and not text.at_phrases("count"):  # 'Name the sides without lugs.'
         target = replace_fields(part.part, plural=True, places=(), count=None)
         yield Parse(Towards(target, tuple(Side), "none"), {"which_side": 1.0}, faces | none | part.used)
@@ -102,12 +103,16 @@ def _asks_for_side(text: Text, at: int) -> bool:
 
 def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
     """The sides to choose from, and where they stand: 'left or right', 'on the top, the front or the back'."""
-    spans = list(text.all("side"))
-    for first, last in pairwise(spans):
-        if last.start - first.end < 6 and any(text.is_word(i, "or", "/") for i in range(first.end, last.start)):
-            sides = tuple(dict.fromkeys(span.value for span in spans))
-            return sides, {i for i in range(spans[0].start, spans[-1].end) if not text.find(i, "noun")}
-    return (), set()
+    ways = ((i, i + 1, side) for side, words in _UP_DOWN.items() for i in text.at_words(*words))
+    said = sorted([*((span.start, span.end, span.value) for span in text.all("side")), *ways])
+    gaps = [range(one[1], other[0]) for one, other in pairwise(said)]
+    joined = [n for n, gap in enumerate(gaps) if len(gap) < 6 and any(text.is_word(i, "or", "/") for i in gap)]
+    if not joined:
+        return (), set()
+    apart = (n for n in range(joined[-1], 0, -1) if any(map(text.is_content, gaps[n - 1])))
+    chosen = said[next(apart, 0) : joined[-1] + 2]  # not: 'seen from the front, is it left or right'
+    sides = tuple(dict.fromkeys(side for _, _, side in chosen))
+    return sides, {i for i in range(chosen[0][0], chosen[-1][1]) if not text.find(i, "noun")}
 
 
 def mating(question: Question) -> Iterator[Parse]:

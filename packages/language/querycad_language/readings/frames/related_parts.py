@@ -82,12 +82,16 @@ def _of_piece(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator
             yield _of(replace(get, measures=(Measure.BOTTOM_THICKNESS,)), parse, within(None), "closes_inside")
         case (Measure.POSITION,) if (cut := floored(target)) is not None:
             yield _of(replace(get, measures=(Measure.FLOOR_CENTER,)), parse, cut)
+        case (Measure.POSITION,) if target.noun in _BOUNDS[Measure.WIDTH]:  # 'the middle of the slot's opening'
+            for cut in (cut for _, cut in places_of(target, "of", "") if is_cut(cut)):
+                mouth = replace_fields(cut, sides=cut.sides or target.sides)
+                yield _of(replace(get, measures=(Measure.OPENING,)), parse, mouth, "its_end")
         case (Measure.POSITION,) if target.noun in _OUTER_ENDS:  # 'the middle of the left end of the spindle'
             sides = (*target.ends, *target.sides, *(rank.side for rank in target.ranks if rank.side is not None))
             end = next((measure for measure, side in ENDS.items() if side in sides[:1]), Measure.TIP)
             for _, holder in places_of(target, "of")[:1]:
                 yield _of(replace(get, measures=(end,)), parse, holder, "its_end")
-        case (Measure.INCLUDED_ANGLE,) if is_cut(target):  # 'the point angle at the bottom of the hole'
+        case (Measure.INCLUDED_ANGLE,) if PartKind.HOLE in kinds_of(target):  # 'the point angle at the hole's bottom'
             point = PartQuery(noun="conical bottom", words=("conical", "bottom"), definite=True)
             yield _of(get, parse, placed_in(point, "of", target), "its_end", used=text.at_words("bottom"))
         case (Measure.LENGTH,) if said := text.covered("center_to_center") | text.at_words("straight"):
@@ -167,10 +171,6 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
             yield _of(replace(get, measures=tuple(along)), parse, target, "turning")
         case (Measure.WIDTH,) if (cut := floored(target)) is not None:  # 'how wide is the floor of the groove'
             yield _of(replace(get, measures=(Measure.BOTTOM_WIDTH,)), parse, cut)
-        case (Measure.INNER_RADIUS | Measure.OUTER_RADIUS | Measure.RADIUS,) if target.noun in ("inside", "outside"):
-            said = _INSIDE[0] if target.noun == "inside" else _OUTSIDE[0]  # 'the radius on the inside of the bend'
-            for _, bend in places_of(target, "of")[:1]:
-                yield _of(replace(get, measures=(said,)), parse, bend, "there")
         case (measure,) if target.noun in _BOUNDS.get(measure, ()):
             for _, holder in places_of(target, "of", ""):
                 if is_cut(holder):
