@@ -424,6 +424,14 @@ def test_bores_of_one_size_among_others_lie_apart_by_their_own_pitch() -> None:
         assert (like in code) is is_like
 
 
+def test_width_and_height_of_an_upright_plate_are_read_in_two_directions() -> None:
+    form = Get((Measure.WIDTH, Measure.HEIGHT), LEVERS)
+    flange = part("prism-1", extents=(0.003, 0.05, 0.024), normal=(1.0, 0.0, 0.0), width=0.024, height=0.024)
+    assert "p.extents[1]" in write(form, {LEVERS: ((flange,), 0)}, whole()).code
+    lying = part("prism-1", extents=(0.05, 0.024, 0.003), normal=(0.0, 0.0, 1.0), width=0.024, height=0.003)
+    assert "p.width" in write(form, {LEVERS: ((lying,), 0)}, whole()).code
+
+
 def test_the_teeth_of_a_gear_are_an_equal_share_of_its_turn_apart() -> None:
     teeth = tuple(part(f"tooth-1.{i}") for i in range(1, 13))
     assert "6.283185307179586 / len(" in write(Angle(PINS, None), {PINS: (teeth, 0)}, whole()).code

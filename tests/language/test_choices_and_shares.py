@@ -172,6 +172,8 @@ def test_what_is_said_with_a_question_mark_is_answered_by_yes_or_no(question: st
         ("Up, down or left: which way does the keyway open?", (Side.TOP, Side.BOTTOM, Side.LEFT)),
         ("Is the lug on the top, the front or the back?", (Side.TOP, Side.FRONT, Side.BACK)),
         ("Seen from the front, is the lug the left one or the right one?", (Side.LEFT, Side.RIGHT)),
+        ("The lug, seen from the front, is it on the left or on the right?", (Side.LEFT, Side.RIGHT)),
+        ("Which is the lug: the left one, the right one or the back one?", (Side.LEFT, Side.RIGHT, Side.BACK)),
     ],
 )
 def test_the_sides_to_choose_from_are_those_that_are_offered(question: str, sides: tuple[Side, ...]) -> None:

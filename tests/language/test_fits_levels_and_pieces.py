@@ -93,6 +93,11 @@ def test_the_coordinates_of_the_middle_of_a_mouth_are_those_of_the_mouth() -> No
     assert not targets("Where is the centre of the notch?", Measure.OPENING)
 
 
+@pytest.mark.parametrize(("place", "floor"), [("the notch's bottom", True), ("the notch on the bottom", False)])
+def test_the_middle_of_a_bottom_is_that_of_the_floor(place: str, floor: bool) -> None:
+    assert bool(targets(f"Where is the centre of {place}?", Measure.FLOOR_CENTER)) is floor
+
+
 @pytest.mark.parametrize(
     ("question", "measure"),
     [

@@ -14,7 +14,7 @@ from querycad_language.forms import Form
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
 
-from .meanings import CUT, Grade, options
+from .meanings import CUT, Grade, level_width, options
 
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
 
@@ -119,6 +119,10 @@ class Builder:
         if {*sides, Measure.HEIGHT} == set(others) and all(part.kind in WHOLE for part in parts):
             upright = self.read(measure, parts) if measure is Measure.HEIGHT else ""
             return sides.get(measure, upright and "{0}.extents[2]")
+        if measure is Measure.WIDTH and Measure.HEIGHT in others and Measure.LENGTH not in others:
+            level = {level_width(part) for part in parts}
+            if len(level) == 1 and None not in level:  # both are not read in one direction
+                return f"{{0}}.extents[{level.pop()}]"
         if {Measure.LENGTH, Measure.WIDTH} <= set(others) and measure in (Measure.LENGTH, Measure.WIDTH):
             if all(part.kind in WHOLE for part in parts):
                 return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Literal
 
-from querycad_contracts import Measure, Part, PartKind, Side
+from querycad_contracts import DRAWING_M, Measure, Part, PartKind, Side
 from querycad_language.measures import ENDS, EXTENTS, WHOLE
 
 Grade = Literal["own", "derived", "foreign", "missing"]
@@ -286,6 +286,15 @@ def _is_plain_tube(part: Part) -> bool:
 def along_axis(part: Part) -> int | None:
     """Which of x, y, z is nearest to the axis of a part?"""
     return None if part.axis is None else max(range(3), key=[abs(x) for x in part.axis].__getitem__)
+
+
+def level_width(part: Part) -> int | None:
+    """Along x (0) or y (1): how wide is what stands upright, where its `width` is how high it is; else none."""
+    facing = part.normal or part.axis
+    through = None if facing is None else max(range(3), key=[abs(x) for x in facing].__getitem__)
+    if through in (None, 2) or part.width is None or abs(part.width - part.extents[2]) > DRAWING_M:
+        return None
+    return 1 - through
 
 
 def _across(part: Part) -> int | None:

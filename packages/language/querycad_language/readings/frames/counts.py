@@ -82,8 +82,7 @@ def _treated(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
 def _topology(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
     """'How many faces does the part have?': of all shapes, and 'how many edges'."""
     measure = _TOPOLOGY.get(question.text.words[at]) if at < len(question.text) else None
-    named = question.parts
-    if measure is not None and len(named) < 2 and all(bare_of(one.part, *_TOPOLOGY) for one in named):
+    if measure is not None and len(question.parts) < 2 and all(bare_of(m.part, *_TOPOLOGY) for m in question.parts):
         said = used_by(*(m for m in question.mentions if m.query is None))
         whole = Count(PartQuery(noun="object", definite=True), measure)
         yield Parse(whole, {"count_next": 1.0, "topology": 1.0}, used | said | {at})

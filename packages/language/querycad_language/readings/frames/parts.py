@@ -103,13 +103,14 @@ def _asks_for_side(text: Text, at: int) -> bool:
 
 def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
     """The sides to choose from, and where they stand: 'left or right', 'on the top, the front or the back'."""
-    ways = ((i, i + 1, side) for side, words in _UP_DOWN.items() for i in text.at_words(*words))
-    said = sorted([*((span.start, span.end, span.value) for span in text.all("side")), *ways])
+    said = [(i, i + 1, side) for side, words in _UP_DOWN.items() for i in text.at_words(*words)]
+    said = sorted([*said, *((span.start, span.end, span.value) for span in text.all("side"))])
     gaps = [range(one[1], other[0]) for one, other in pairwise(said)]
     joined = [n for n, gap in enumerate(gaps) if len(gap) < 6 and any(text.is_word(i, "or", "/") for i in gap)]
     if not joined:
         return (), set()
-    apart = (n for n in range(joined[-1], 0, -1) if any(map(text.is_content, gaps[n - 1])))
+    verbs = text.at_phrases("be", "do", "have", "ask")
+    apart = (n for n in range(joined[-1], 0, -1) if len(gaps[n - 1]) >= 6 or not verbs.isdisjoint(gaps[n - 1]))
     chosen = said[next(apart, 0) : joined[-1] + 2]  # not: 'seen from the front, is it left or right'
     sides = tuple(dict.fromkeys(side for _, _, side in chosen))
     return sides, {i for i in range(chosen[0][0], chosen[-1][1]) if not text.find(i, "noun")}

@@ -182,6 +182,8 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
 def _there(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How wide is the dovetail at its mouth?', 'the radius on the outside of the bend'."""
     text = question.text
+    if (low := text.at_words("bottom") - parse.used) and is_cut(target) and get.measures == (Measure.POSITION,):
+        yield _of(replace(get, measures=(Measure.FLOOR_CENTER,)), parse, target, used=low)  # 'the hole's bottom'
     for words, measure in _THERE.get(get.measures[0], {}).items():
         led = ((i, at) for i in text.at_words(*_AT) for at in text.at_words(*words) if i < at <= i + _NEAR)
         for start, end in sorted(led)[:1]:
