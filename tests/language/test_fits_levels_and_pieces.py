@@ -93,7 +93,21 @@ def test_the_coordinates_of_the_middle_of_a_mouth_are_those_of_the_mouth() -> No
     assert not targets("Where is the centre of the notch?", Measure.OPENING)
 
 
-@pytest.mark.parametrize(("place", "floor"), [("the notch's bottom", True), ("the notch on the bottom", False)])
+def test_what_a_viewer_sees_of_an_opening_is_its_mouth() -> None:
+    assert targets("Where is the centre of the largest opening seen from the left?", Measure.OPENING)
+    assert not targets("Where is the centre of the hole seen from the left?", Measure.OPENING)
+
+
+def test_a_mouth_and_its_coordinates_are_one_point() -> None:
+    asked = [form for form in forms("Where is the notch's mouth, as coordinates?") if isinstance(form, Get)]
+    assert asked
+    assert all(len(form.measures) == 1 for form in asked)
+
+
+@pytest.mark.parametrize(
+    ("place", "floor"),
+    [("the notch's bottom", True), ("the bottom of the notch", True), ("the notch on the bottom", False)],
+)
 def test_the_middle_of_a_bottom_is_that_of_the_floor(place: str, floor: bool) -> None:
     assert bool(targets(f"Where is the centre of {place}?", Measure.FLOOR_CENTER)) is floor
 

@@ -286,6 +286,7 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
         if after == end or more is None or more.value in measures or text.find(after, "aside"):
             break
         of_others = more.value is Measure.ANGLE and text.is_word(more.end, "between")
+        of_others |= answer_type(more.value) is answer_type(span.value) is AnswerType.POINT  # 'mouth, as coordinates'
         overall = text.is_word(after, "overall", "total") and not text.is_word(span.start, "overall", "total")
         alike = answer_type(more.value) is answer_type(measures[-1])  # not: 'the holes in the cone tips, Ø?'
         if of_others or overall or not (alike or text.is_word(end, "and", "&", "+")):

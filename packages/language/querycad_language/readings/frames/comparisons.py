@@ -128,10 +128,9 @@ def _combined(question: Question) -> Iterator[Parse]:
     targets: list[Target] = [m.query for m in owners] or [None]
     several = owners[0].query if len(owners) == 1 else None
     if span.value == "apart" and len(measures) == 1 and several is not None and several.plural:
-        # 'the difference in width between the two lugs'
         ends = (Get((measures[0],), several, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
         used = {*span.tokens, *owners[0].used, *asked[0].used, *text.at_words("between")}
-        yield Parse(Combine("apart", *ends), {"combined": 1.0}, used)
+        yield Parse(Combine("apart", *ends), {"combined": 1.0}, used)  # 'the difference in width of the two lugs'
     if measures and len(measures) + len(targets) > 2:
         left, right = (Get((measures[at],), targets[at]) for at in (0, -1))
         used = used_by(*owners).union(span.tokens, *(one.used for one in asked))

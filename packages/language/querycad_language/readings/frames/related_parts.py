@@ -73,8 +73,7 @@ def _of_piece(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator
     """'The wall of the standoff', 'the centre of the sleeve's lower rim', 'the surface of the lever'."""
     match get.measures:
         case (Measure.AREA | Measure.MAGNITUDE | Measure.SIZE,) if bare_of(target, "surface", "face"):
-            # 'the total area of all faces': of the whole model
-            yield Parse(Get((Measure.AREA,), None), {**parse.features, "topology": 1.0}, parse.used)
+            yield Parse(Get((Measure.AREA,), None), {**parse.features, "topology": 1.0}, parse.used)  # 'all faces'
         case (Measure.THICKNESS,) if target.noun == "wall" and not target.adjectives:
             for _, of in places_of(target, "of", "around", "")[:1]:  # 'the thickness of the wall of the standoff'
                 yield _of(replace(get, measures=(Measure.WALL_THICKNESS,)), parse, of, "its_walls")
@@ -83,7 +82,7 @@ def _of_piece(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator
         case (Measure.POSITION,) if (cut := floored(target)) is not None:
             yield _of(replace(get, measures=(Measure.FLOOR_CENTER,)), parse, cut)
         case (Measure.POSITION,) if target.noun in _BOUNDS[Measure.WIDTH]:  # 'the middle of the slot's opening'
-            for cut in (cut for _, cut in places_of(target, "of", "") if is_cut(cut)):
+            for cut in [cut for _, cut in places_of(target, "of", "") if is_cut(cut)] or [target] * bool(target.sides):
                 mouth = replace_fields(cut, sides=cut.sides or target.sides)
                 yield _of(replace(get, measures=(Measure.OPENING,)), parse, mouth, "its_end")
         case (Measure.POSITION,) if target.noun in _OUTER_ENDS:  # 'the middle of the left end of the spindle'
@@ -182,7 +181,8 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
 def _there(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How wide is the dovetail at its mouth?', 'the radius on the outside of the bend'."""
     text = question.text
-    if (low := text.at_words("bottom") - parse.used) and is_cut(target) and get.measures == (Measure.POSITION,):
+    low = {i for i in text.at_words("bottom") - parse.used if text.is_word(i + 1, "of") or text.is_possessive(i - 1)}
+    if low and is_cut(target) and get.measures == (Measure.POSITION,):
         yield _of(replace(get, measures=(Measure.FLOOR_CENTER,)), parse, target, used=low)  # 'the hole's bottom'
     for words, measure in _THERE.get(get.measures[0], {}).items():
         led = ((i, at) for i in text.at_words(*_AT) for at in text.at_words(*words) if i < at <= i + _NEAR)
