@@ -248,15 +248,6 @@ def test_parts_of_a_round_model_lie_at_an_angle_about_its_axis() -> None:
     assert "a.angle_to(b)" in write(Angle(HOLES, OTHERS), grounds, whole()).code
 
 
-def test_spacings_in_both_directions_run_along_the_sides_on_which_the_parts_lie_apart() -> None:
-    four = tuple(part(f"hole-{i}", (0.0, 0.02 * (i % 2), 0.01 * (i // 2)), diameter=0.005) for i in range(4))
-    both = Several(tuple(Distance(HOLES, "each other", "centers", axis) for axis in (LONGEST, SHORTER)))
-    code = write(both, {HOLES: (four, 0)}, whole()).code
-    assert "a.center[1] - b.center[1]" in code
-    assert "a.center[2] - b.center[2]" in code
-    assert "center[0]" not in code
-
-
 def test_along_an_axis_the_spacing_is_that_of_a_row() -> None:
     zigzag = (hole(1, 0, 0), hole(2, 8, 10), hole(3, 20, 0), hole(4, 28, 10))
     along = write(Distance(HOLES, "each other", axis=0), {HOLES: (zigzag, 0)}, whole())

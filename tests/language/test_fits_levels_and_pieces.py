@@ -5,7 +5,19 @@ from __future__ import annotations
 import pytest
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
-from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER, VERTICAL, Check, Distance, Form, Get, Plane, Several
+from querycad_language.forms import (
+    HORIZONTAL,
+    LONGEST,
+    SHORTER,
+    VERTICAL,
+    Check,
+    Distance,
+    Form,
+    Get,
+    Plane,
+    Several,
+    queries,
+)
 from querycad_language.phrases import places_of
 from querycad_language.readings.reader import read
 
@@ -57,11 +69,34 @@ def test_flush_parts_end_on_one_level(question: str, side: Side | None) -> None:
     [
         ("Horizontal and vertical spacing of the studs?", [HORIZONTAL, VERTICAL]),
         ("Spacing of the studs in the long direction and in the transverse direction?", [LONGEST, SHORTER]),
+        ("Stud spacing left-right and up-down?", [0, 2]),
+        ("What is the stud spacing, crosswise (y) and vertically (z)?", [1, 2]),
+        ("What spacing do the studs have along the bolted edge and across?", [LONGEST, SHORTER]),
+        ("What are the two distances of the studs, the longer first?", [LONGEST, SHORTER]),
     ],
 )
 def test_spacings_in_two_directions(question: str, axes: list[int]) -> None:
     several = [form.of for form in forms(question) if isinstance(form, Several)]
     assert axes in [[distance.axis for distance in of] for of in several]
+
+
+def test_spacings_are_along_a_part_and_across_it() -> None:
+    several = next(
+        form for form in forms("Stud spacing, first along the slot, then across it?") if isinstance(form, Several)
+    )
+    along, across = (distance.axis for distance in several.of)
+    assert isinstance(along, PartQuery)
+    assert (along.noun, across) == ("slot", SHORTER)
+
+
+def test_one_direction_alone_is_one_spacing() -> None:
+    for question in ("How far apart are the studs along the slot?", "Spacing of the long studs along x?"):
+        assert not [form for form in forms(question) if isinstance(form, Several)]
+
+
+def test_a_word_that_commands_is_part_of_a_name_behind_a_number() -> None:
+    query = next(queries(forms("How deep are the four return pins?")[0]))
+    assert (query.count, query.plural) == (4, True)
 
 
 @pytest.mark.parametrize(

@@ -56,7 +56,8 @@ def _topics(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
         topic, where = tokens[start:comma], range(start, comma)
         begin = comma + 1 + any(one.word == "and" for one in tokens[comma + 1 : comma + 2])
         no_topic = ("measure", *_VERBS) if begin > comma + 1 else _VERBS  # 'hub width, and how long is it'
-        named = any(finds(at, "noun") for at in where) and not any(finds(at, *no_topic) for at in where)
+        said = any(finds(at, *no_topic) or tokens[at].word in ("along", "across") for at in where)
+        named = any(finds(at, "noun") for at in where) and not said
         if named and len(topic) <= _LONGEST and (gap := _gap(tokens, begin, finds)):
             at, end = gap
             bare = tokens[at - 1 if at == len(tokens) else at].word in _PRONOUNS or topic[0].word != "of"

@@ -106,7 +106,7 @@ class Distance:
     share; 'beyond': less than zero if within, 'beyond both': the lesser at the two ends; 'within': how far the first
     reaches into the second; 'across': from its floor to the far side of the second, round; 'on diameter': what a bore
     has more than what runs in it."""
-    axis: int | None = None  # 0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model
+    axis: int | PartQuery | None = None  # 0, 1, 2 for x, y, z; LONGEST and SHORTER for the model's sides; along a part
     reduce: Reduce = Reduce.ONE
 
 

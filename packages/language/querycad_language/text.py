@@ -56,6 +56,9 @@ class Text:
         for i in self.at_words("left"):  # 'the left lug' is none that remains
             if self.find(i - 1, "article") or self.find(i + 1, "noun", "side_noun"):
                 self.spans[i] = [span for span in self.spans[i] if span.category != "remaining"]
+        for i in range(1, len(tokens)):
+            if self.find(i - 1, "article", "number"):  # 'the four return pins', 'a check valve'
+                self.spans[i] = [span for span in self.spans[i] if span.category != "imperative"]
         for i in self.at_words("it"):  # 'where it leaves the plate'
             if i + 1 < len(tokens) and tokens[i + 1].plural and not self.is_word(i - 1, "has", "have", "had", "of"):
                 self.spans[i + 1] = [span for span in self.spans[i + 1] if span.category != "noun"]
@@ -163,5 +166,4 @@ class Text:
     def sentences(self) -> list[tuple[int, int]]:
         """(start, end) of each sentence; a colon, a semicolon and a dash part sentences too."""
         ends = [*(at for at in sorted(self.at_words(*BREAKS, "-")) if self.is_kind(at, Kind.SYMBOL)), len(self.tokens)]
-        starts = [0, *(end + 1 for end in ends)]
-        return [(start, end) for start, end in zip(starts, ends, strict=False) if start < end]
+        return [(start, end) for start, end in zip([0, *(end + 1 for end in ends)], ends, strict=False) if start < end]

@@ -102,7 +102,8 @@ def _distance(form: Distance) -> str:
             both = f"from {_anchor(first)} to {_anchor(second)}"
             if second == "each other":
                 both = f"of {_anchor(first)} from each other"
-            along = _AXES.get(axis, " along a side of the model")
+            of_part = f" along {noun_phrase(axis)}" if isinstance(axis, PartQuery) else ""
+            along = of_part or _AXES.get(axis if isinstance(axis, int) else None, " along a side of the model")
             return f"{_REDUCES[reduce]}distance {_MODES.get(mode, '')}{both}{along}"
 
 

@@ -56,12 +56,13 @@ CORNERS = 4
 
 def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     """How far apart the two ends of a distance are, as an expression and its type."""
-    form = replace(form, axis=_axis(build, form))
+    axis = _axis(build, form)
+    form = replace(form, axis=axis)
     first, second = form.first, form.second
     if form.mode == "overlap":
         return f"sum(a.overlap_with(b) for a, b in {overlapping(build, form)})", AnswerType.VOLUME
     if isinstance(first, MassCentre) or isinstance(second, MassCentre):
-        return _from_mass(build, second if isinstance(first, MassCentre) else first, form.axis), AnswerType.LENGTH
+        return _from_mass(build, second if isinstance(first, MassCentre) else first, axis), AnswerType.LENGTH
     if isinstance(second, Plane) and not isinstance(first, Plane):
         first, second = second, first
     if isinstance(first, Plane):
@@ -89,8 +90,33 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     return pairwise(build, first, other, _between(build, form, other is not None), form.reduce), kind
 
 
+def along_each(build: Builder, several: Sequence[Distance]) -> list[Distance]:
+    """Several distances of the same parts from each other, each along another axis along which they lie apart.
+
+    'Across' is then the other direction of the pattern, and 'up and down' is along y where the parts lie on one level:
+    as on a drawing, which is a plan.
+    """
+    said = [_axis(build, one) for one in several]
+    spread = _spread(build.all_of(*(one.first for one in several if isinstance(one.first, PartQuery))))
+    apart = [i for i, size in enumerate(spread) if size > SLACK]
+    if len(apart) != len(said) or {*apart} == {*said}:
+        return [replace(one, axis=axis) for one, axis in zip(several, said, strict=True)]
+    vague = [one.axis in (LONGEST, SHORTER, HORIZONTAL, VERTICAL) for one in several]
+    found: dict[int, int] = {}
+    for index in sorted(range(len(said)), key=lambda i: (vague[i], i)):
+        if (axis := said[index]) is not None and axis in apart:
+            apart.remove(axis)
+            found[index] = axis
+    return [replace(one, axis=found[i] if i in found else apart.pop(0)) for i, one in enumerate(several)]
+
+
 def _axis(build: Builder, form: Distance) -> int | None:
     """Which of x, y, z: where the words say so one of the longer sides along which the parts lie apart."""
+    if isinstance(form.axis, PartQuery):
+        if not (named := build.of(form.axis)):
+            raise Unwritable
+        turns = along_axis(named[0])
+        return turns if turns is not None else max(range(3), key=named[0].extents.__getitem__)
     if form.axis in (HORIZONTAL, VERTICAL):
         spread = _spread(build.all_of(*(one for one in (form.first, form.second) if isinstance(one, PartQuery))))
         level = spread[2] <= SLACK

@@ -16,7 +16,7 @@ from querycad_language.phrases import bare_of
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .circles import on_one_circle, write_middle
-from .distances import distance, overlapping
+from .distances import along_each, distance, overlapping
 from .openings import count_openings
 from .planes import SLACK, side_axis
 from .rows import count_rows, in_each, row_word
@@ -70,7 +70,7 @@ def _form(build: Builder, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR091
         case Distance():
             return distance(build, form)
         case forms.Several(several):
-            for index, one in enumerate(several):
+            for index, one in enumerate(along_each(build, several)):
                 build.lines.append(f"value{index} = {distance(build, one)[0]}")
             return f"[{', '.join(f'value{index}' for index in range(len(several)))}]", AnswerType.LENGTHS
         case forms.Angle(first, second):

@@ -181,8 +181,7 @@ class Phrases:
 def noun_phrase(description: str, names: Iterable[str] = ()) -> PartQuery:
     """Which parts does free text ask for: 'counterbored hole', 'the red body'? Unknown words are kept as the noun."""
     text = Text(description, frozenset(names))
-    phrases = Phrases(text)
-    mention = next(filter(None, map(phrases.at, range(len(text)))), None)
+    mention = next(filter(None, map(Phrases(text).at, range(len(text)))), None)
     if mention is None:
         return PartQuery(noun=" ".join(text.words), known=False, words=tuple(text.words))
     if mention.query is None:

@@ -82,8 +82,7 @@ class Question:
         if self.claims or self.whether is not None or self.offers_yes_no:
             return True
         either = text.has("or") and len(text.at_phrases("side")) > 1  # 'on the left or on the right?'
-        begins = [start, *(i + 1 for i in inside if text.is_word(i, ","))]
-        return not either and any(map(self._asks_yes_no, begins))
+        return not either and any(map(self._asks_yes_no, [start, *(i + 1 for i in inside if text.is_word(i, ","))]))
 
     @cached_property
     def chooses(self) -> bool:

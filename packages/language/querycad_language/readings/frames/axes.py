@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 from itertools import chain
 
-from querycad_contracts import Measure
+from querycad_contracts import Measure, PartQuery
 from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER, VERTICAL
 from querycad_language.lexicon import lexicon
 from querycad_language.readings.question import Question
@@ -16,6 +16,8 @@ ALONG = {Measure.HEIGHT: 2, Measure.LENGTH: LONGEST, Measure.WIDTH: SHORTER}
 """The axes that the measures of a whole run along."""
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
 _LEVELS = {"vertical": 2, "height": 2, "level": 2, "horizontal": HORIZONTAL}
+_WAYS = dict.fromkeys(("long", "longer", "along", "longitudinal"), LONGEST) | {"horizontal": HORIZONTAL}
+_WAYS |= dict.fromkeys(("short", "shorter", "across", "transverse", "cross"), SHORTER) | {"vertical": VERTICAL}
 _LED = {"along": {"width": 0, "depth": 1, "height": 2}, "across": {"width": SHORTER}}
 
 
@@ -25,10 +27,8 @@ def axis_named(question: Question, taken: AbstractSet[int] = frozenset()) -> tup
     if (found := next(chain(_along_whole(question), _led(text, taken)), None)) is not None:
         return found
     for at in sorted(text.at_words(*_LEVELS) - taken):
-        apart = text.find(at + 1, "distance", "gap")
-        if text.find(at + 1, "noun") and not apart:
-            continue  # 'the vertical drill holes'
-        if apart or (text.is_word(at, "vertical") and text.find(at + 1, "measure") and question.in_question(at)):
+        told = text.is_word(at, "vertical") and text.find(at + 1, "measure") and not text.find(at + 1, "noun")
+        if text.find(at + 1, "distance", "gap") or (told and question.in_question(at)):
             return _LEVELS[text.words[at]], {at}  # 'the vertical distance', 'the height offset'
     for span in (one for one in text.all("axis") if one.start not in taken):
         that = max((i for i in text.at_words("that", "which") if i < span.start), default=span.start)
@@ -46,11 +46,9 @@ def _led(text: Text, taken: AbstractSet[int]) -> Iterator[tuple[int, set[int]]]:
     for at in sorted(text.at_phrases("axis_preposition") - taken):
         owned = next((i + 1 for i in range(at + 1, at + 8) if text.is_possessive(i)), at + 1)  # 'the plate's width'
         side = text.find(text.skip(owned, "article", "pronoun"), "measure", "adjective")
-        word, lengths = text.words[side.start] if side is not None else "", _LED.get(text.words[at], {})
-        if side is not None and word in _SIDES:
-            yield _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
-        elif side is not None and word in lengths:
-            yield lengths[word], set(range(at, side.end))
+        axes = _SIDES | _LED.get(text.words[at], {})
+        if side is not None and text.words[side.start] in axes:
+            yield axes[text.words[side.start]], set(range(at, text.skip(side.end, "side_noun")))
 
 
 def _along_whole(question: Question) -> Iterator[tuple[int, set[int]]]:
@@ -77,27 +75,32 @@ def own_axis_named(question: Question) -> set[int]:
     return found
 
 
-def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
-    """The axes where several are named, with their tokens: 'in x and in y', 'lengthwise and across'."""
-    text = question.text
-    for at in text.at_words("and", "by", "x", "/", "&"):
-        levels = (text.words[at - 1], *text.words[at + 1 : at + 2])
-        if {*levels} == {"horizontal", "vertical"}:
-            return tuple(VERTICAL if level == "vertical" else HORIZONTAL for level in levels), {at - 1, at, at + 1}
-    named = text.covered("axis")
-    times = {at for at in text.at_words("x") if {at - 1, at, at + 1} <= named}  # 'long way x short way'
-    spans: dict[int, int] = {at: one.value for one in text.all("axis") for at in one.tokens if at not in times}
-    crossing = {at for at in text.at_words("cross", "transverse") if text.is_word(at + 1, "direction")}
-    led = {at for at in text.at_words("along", "across") if text.find(at + 1, "article", "noun", "adjective", "axis")}
-    lengthwise = text.at_words("long", "along", "longer") - led
-    if lengthwise or LONGEST in spans.values():
-        spans |= dict.fromkeys(lengthwise, LONGEST)
-        spans |= dict.fromkeys((text.at_words("short", "across", "shorter") | crossing) - led, SHORTER)
-    led_to = [*_led(text, set())]
-    if len(dict(led_to)) > 1 and not spans:  # 'along the length and across the width'
-        return tuple(axis for axis, _ in led_to), set().union(*(tokens for _, tokens in led_to))
-    for at in text.at_words("both", "each", "two", "either"):  # 'the spacing in both directions'
-        if (text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance")) and not spans:
+def axes_listed(question: Question) -> tuple[tuple[int | PartQuery, ...], set[int]]:
+    """The axes where several are named, with their tokens: 'in x and in y', 'first along the bore, then across it'."""
+    text, found = question.text, dict[int, tuple[int | PartQuery, set[int]]]()
+    named, sides = text.covered("axis"), {min(used): (axis, used) for axis, used in _led(text, set())}
+    for span in text.all("axis"):
+        told = {span.start - 2} if text.is_word(span.start - 1, "(") else set[int]()  # 'crosswise (y)'
+        if not (text.is_word(span.start, "x") and {span.start - 1, span.start + 1} <= named):  # 'long way x short way'
+            begin = next((at for at, (_, said) in found.items() if said & told), span.start)
+            found[begin] = span.value, {*told, span.start - 1, *span.tokens}
+    ways = {at for at, word in enumerate(text.words) if word in _WAYS and at + 1 not in named} - named
+    levels = text.at_words("horizontal", "vertical")
+    ways -= {at - 1 for at in text.at_words("first")} | (levels if len(levels) == 1 else set())
+    led = {
+        at for at in text.at_words("along", "across") if text.find(at + 1, "article", "pronoun", "noun", "adjective")
+    }
+    if {text.words[at] for at in ways} < {"along", "across"} and LONGEST not in {axis for axis, _ in found.values()}:
+        ways -= led  # 'how far across the slot'
+    whole = {min(used) for _, used in _along_whole(question)}
+    holder = next((m.part for m in question.parts if m.start - 1 in led - whole and m.part.known), None)
+    for at in ways - {at for at in ways - led if text.find(at + 1, "noun")}:
+        end = next((m.end for m in question.mentions if at in led and m.start == at + 1), at + 1)
+        end = next((i + 1 for i in range(end, end + 3) if text.is_word(i, "side", "edge")), end)
+        along = holder if holder and _WAYS[text.words[at]] == LONGEST else _WAYS[text.words[at]]
+        found[at] = sides.get(at) or (along, {*range(at - 1, end)})
+    for at in text.at_words("both", "each", "two", "either") if not found else ():  # 'the spacing in both directions'
+        if text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance"):
             return (LONGEST, SHORTER), {at - 1, at, at + 1}
-    axes = tuple(dict.fromkeys(spans[at] for at in sorted(spans)))
-    return (axes, {i for at in spans for i in (at - 1, at)}) if len(axes) > 1 else ((), set())
+    axes = tuple(dict.fromkeys(found[at][0] for at in sorted(found)))
+    return (axes, set().union(*(used for _, used in found.values()))) if len(axes) > 1 else ((), set())

@@ -8,7 +8,7 @@ from itertools import chain, pairwise, permutations, product, zip_longest
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
-from querycad_language.forms import LONGEST, SHORTER, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
+from querycad_language.forms import Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.owners import kinds_of
 from querycad_language.readings.parses import Features, Parse
@@ -32,7 +32,7 @@ _APART = (*_HIGH, *_ACROSS, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
 _AGAINST = ("from", "against", "relative", "compared", "off", "to", "with")  # before what something leans against
 _WEBS = ("web", "bridge", "land", "ligament", "partition", "strip", "margin", "rib")  # what is left between two cuts
-_REACHES = ("projection", "overhang", "protrusion", "setback", "offset")
+REACHES = ("projection", "overhang", "protrusion", "setback", "offset")
 _UNDER = ("under", "underneath", "beneath")
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang", "off", *_UNDER)
 _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", "long", "which", "that", "its", "what")
@@ -92,7 +92,7 @@ def distances(question: Question) -> Iterator[Parse]:
             form = _of_holders(Distance(first, second, mode, axis, of_all))
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
             yield Parse(form, features, used | more | along | extreme | centred | (across or set()))
-            if all_pairs and len({one in (LONGEST, SHORTER) for one in axes}) == 1:
+            if all_pairs and axes:
                 several = Several(tuple(replace(form, axis=one) for one in axes))
                 yield Parse(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
 
@@ -196,8 +196,9 @@ def _how(text: Text, at: int) -> Iterator[_Words]:
 
 def _centred(text: Text) -> set[int]:
     """The words for 'centre to centre'; none in 'edge to edge, not centre to centre'."""
-    said = (span for span in text.all("center_to_center") if not text.find(span.start - 1, "negation"))
-    return {at for span in said for at in span.tokens}
+    return {
+        i for span in text.all("center_to_center") if not text.find(span.start - 1, "negation") for i in span.tokens
+    }
 
 
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
@@ -324,9 +325,8 @@ def _levels(text: Text, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
                 yield _Pair(Plane(Side.TOP, base.anchor), spot.anchor, used, {"level": 1.0, "level_top": 1.0})
     for spot in chain.from_iterable(ends):
         under_it = {i for i in text.at_words(*_UNDER) if max(spot.used) - 4 < i < spot.at}
-        if isinstance(spot.anchor, PartQuery) and under_it and text.at_phrases("gap"):
-            used = spot.used | under_it  # 'the clearance under the handle'
-            yield _Pair(Plane(Side.BOTTOM, spot.anchor), Boundary(Side.BOTTOM), used, {"level": 1.0})
+        if isinstance(spot.anchor, PartQuery) and under_it and text.at_phrases("gap"):  # 'clearance under the handle'
+            yield _Pair(Plane(Side.BOTTOM, spot.anchor), Boundary(Side.BOTTOM), spot.used | under_it, {"level": 1.0})
 
 
 def _from_model(spot: Spot) -> Iterator[_Pair]:
@@ -344,20 +344,19 @@ def overhangs(question: Question) -> Iterator[Parse]:
     """'By how much does the spindle project above the nut?', 'How far below the hub does the lug end?'"""
     text, nouns = question.text, question.parts
     reach = next(iter(text.all("reach")), None)
-    named = bool(nouns) and nouns[0].part.noun in _REACHES
+    named = bool(nouns) and nouns[0].part.noun in REACHES
     word = min(text.at_words(*_BEYOND, *(("from",) if reach or named else ())), default=None)
     high = any(span.value is Measure.HEIGHT for span in text.all("measure"))
-    if word is None or not nouns or not (reach or high or text.has(*_REACHES, "much", "far")):
+    if word is None or not nouns or not (reach or high or text.has(*REACHES, "much", "far")):
         return
-    first = nouns[0]
-    if named and (of := places_of(first.part, "of")):  # 'the overhang of the pin'
-        first = replace(first, query=of[0][1])
+    of = places_of(nouns[0].part, "of") if named else ()  # 'the overhang of the pin'
+    first = replace(nouns[0], query=of[0][1]) if of else nouns[0]
     other = next((mention for mention in nouns[1:] if mention.head > word), None)
     if first.start > word and other is not None:  # 'how far below the rim do they end'
         first, other = other, first
     plane = next((one for one in planes_of(question) if one.at >= word and one.used.isdisjoint(first.used)), None)
     used = {word, *first.used, *(reach.tokens if reach else ())}
-    used |= text.at_words("how", "much", "far", "length", "height", *_REACHES)
+    used |= text.at_words("how", "much", "far", "length", "height", *REACHES)
     if plane is not None and isinstance(plane.anchor, Plane):
         yield Parse(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
     elif other is not None:

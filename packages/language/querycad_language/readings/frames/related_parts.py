@@ -109,8 +109,7 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
     asked_on = {i for i in leads if text.is_word(i, "on") and text.find(i + 1, "ask")}  # 'on which diameter are they?'
     if is_round and target.noun in CIRCLES and not target.places:
         links = text.at_words("on", "through", "which", "do", "are")  # 'on which the studs stand', 'through the holes'
-        on_it = [one for one in question.parts if any(asked.end <= i < one.start for i in links)]
-        for mention in on_it[:1]:
+        for mention in [one for one in question.parts if any(asked.end <= i < one.start for i in links)][:1]:
             on = placed_in(replace_fields(target, noun="bolt circle"), "", mention.part)
             yield _of(get, parse, on, used=mention.used | text.at_words("on", "through", "which"))
     if get.measures == (Measure.PITCH_DIAMETER,) and target.noun != "gear":

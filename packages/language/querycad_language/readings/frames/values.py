@@ -192,8 +192,8 @@ def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     axis, used = axis_named(question, parse.used)
     axes, listed = axes_listed(question)
     found: list[tuple[tuple[Measure, ...], set[int]]] = []
-    if len(axes) > 1 and max(axes) < LONGEST and get.measures[0] in SIZES:
-        found.append((tuple(EXTENTS[one] for one in axes), listed))
+    if axes and {*axes} <= {0, 1, 2} and get.measures[0] in SIZES:
+        found.append((tuple(EXTENTS[one] for one in axes if isinstance(one, int)), listed))
     if axis is not None and axis < LONGEST and len(get.measures) == 1 and get.measures[0] in _ALONG:
         found.append(((EXTENTS[axis],), used))
     found += _taken_across(question, get)

@@ -236,8 +236,7 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
         yield Parse(Exists(target), {"predicate": 1.0})
     elif restricted and behind:
         adjectives = target.adjectives if target.lacking else target.adjectives[:-1]
-        bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
-        yield Parse(Every(bare, all_such(target)))
+        yield Parse(Every(replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1]), all_such(target)))
     if target.sides:  # 'Do the keyways on the left emerge at the top?'
         such = all_such(replace_fields(target, sides=target.sides[-1:]))
         yield Parse(Every(replace_fields(target, sides=target.sides[:-1]), such), {"check_side": 1.0})
