@@ -6,14 +6,16 @@ Each is asked alone, the later ones after the first, where no reading of the who
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 from itertools import groupby
 
 from querycad_contracts import Answer, AnswerRecord, AnswerType, Measure, PartKind, Program, Status, Unit
+from querycad_language.forms import Count, Distance, Several
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import SCALARS, of_several
 from querycad_language.phrases import Mention
+from querycad_language.readings.frames.distances import REACHES
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import asked_in
 from querycad_language.tokens import Kind
@@ -29,6 +31,8 @@ _JOINING = ("as well as", "along with", "together with")
 _TOPIC_ENDS = (":", "-", ".", "?", ",", ";")
 _IF_SO = re.compile(r"^if so,? ", re.IGNORECASE)
 _EACH = re.compile(r"\beach$", re.IGNORECASE)
+_THIS = re.compile(r"\bthis\b(?= \w)", re.IGNORECASE)
+"""'The length of this bracket' is that of the model, not of what a clause before asked about."""
 _AXES = re.compile(
     r"(?:along|in) (?:the )?([xyz])(?:[ -](?:axis|direction))?,? (?:and|&)"
     r" (?:along |in )?(?:the )?([xyz])\b(?:[ -](?:axis|direction)s?)?",
@@ -36,23 +40,12 @@ _AXES = re.compile(
 )
 _LEANING = ("its", "their", "each")
 _VERBS = ("ask", "where", "be", "do", "exists")
-_EXPLAINING = (
-    "as",
-    "namely",
-    "meaning",
-    "measured",
-    "counting",
-    "to",
-    "from",
-    "over",
-    "across",
-    "along",
-    "not",
-    "past",
-)
+_EXPLAINING = frozenset("as namely meaning measured counting to from over across along not past".split())
 """Words that a stretch begins with which says more of what was asked before it."""
 _WISHES = ("need", "want", "wish", "would", "must", "should", "like", "also")
 _SUMMED = ("together", "altogether", "combined")
+_OFF = ("from", "above", "below", "off", "over", "past", "beyond", "out")
+"""Words behind a measure or 'projection' that say from where it is taken, which no measure beside it is."""
 _WHERE = ("of", "on", "in", "at", "between")
 _OF_TWO = ("same", "different", "operation", "comparing", "minus")
 """What makes one value of two measures: 'the ratio of the width of … and the height of …'."""
@@ -63,8 +56,12 @@ MAX_CHARS = 300
 """Longer texts are not looked at for a second question."""
 MAX_CLAUSES = 5
 """So many questions in one are answered; who lists more asks for a table."""
-_ALIKE = "(value{0}[:1] if len(different(value{0}, 1e-05)) == 1 else value{0})"
+_PARTED = -1
+"""The token of what is asked again, that no reading of the whole uses."""
+_ALIKE = "(answer{0}[:1] if len(different(answer{0}, 1e-05)) == 1 else answer{0})"
 """Values of a list, those of like parts once."""
+_ONE_MEASURE = re.compile(r"^solution = \[.+ for p in \w+\]$", re.MULTILINE)
+"""What a program ends with that lists one measure of several parts; 'width and depth' may be alike, and stay two."""
 _NUMERIC = {*SCALARS, *map(of_several, SCALARS)}
 
 
@@ -78,6 +75,8 @@ class _Clause:
     mentions: list[Mention] = field(default_factory=list)
     lead: str = ""
     """What it is asked of, or for, that stands elsewhere."""
+    tail: str = ""
+    """What it is of, that is said behind a later one: 'the head and the shank of the screw'."""
 
 
 def clauses(asked: Question, best: Candidate | None) -> tuple[str, ...]:
@@ -101,9 +100,35 @@ def clauses(asked: Question, best: Candidate | None) -> tuple[str, ...]:
     used = best.reading.used if best is not None else frozenset[int]()
     named = [[{m.head} for m in one.mentions if not m.pronoun] for one in found]
     passed = any(all(map(used.isdisjoint, group)) for group in (*(one.asks for one in found), *filter(None, named)))
+    numbers = {at for one in found for each in one.asks for at in each if text.find(at, "count")}
+    spaces = [one for one in found if any(text.find(min(each), "distance", "gap") for each in one.asks)]
+    form = best.reading.form if best is not None else None
+    passed = passed or bool(numbers and form and not _counts(form)) or (isinstance(form, Distance) and len(spaces) > 1)
+    if isinstance(form, Several):
+        found = _merged(found, used - numbers)
     if not 1 < len(found) <= MAX_CLAUSES or not passed:
         return ()
     return tuple(_worded(asked, topic, found, index) for index in range(len(found)))
+
+
+def _merged(found: Sequence[_Clause], used: Set[int]) -> list[_Clause]:
+    """The clauses, those that are answered together as one: 'spacing along the block, spacing across it'."""
+    kept: list[_Clause] = []
+    for one in found:
+        last = kept[-1] if kept else None
+        if last is not None and not any(map(used.isdisjoint, (*last.asks, *one.asks))):
+            last.end = one.end
+            last.asks += one.asks
+            last.mentions += one.mentions
+        else:
+            kept.append(one)
+    return kept
+
+
+def _counts(form: object) -> bool:
+    """Does a number of parts, or of what they have, come out?"""
+    own = (form, getattr(form, "left", None), getattr(form, "right", None))
+    return any(isinstance(one, Count) or Measure.COUNT in getattr(one, "measures", ()) for one in own)
 
 
 def _listed(asked: Question) -> tuple[str, list[_Clause]]:
@@ -148,7 +173,9 @@ def _only_says_how(asked: Question, one: _Clause, found: Sequence[_Clause]) -> b
     sums = text.is_word(one.start, "all", "both") and text.is_word(one.end - 1, *_SUMMED)  # 'all sizes together'
     within = text.words[: one.start].count("(") > text.words[: one.start].count(")")
     _, end = text.sentences[asked.sentence_of(one.start)]
-    if explains or tells or sums or within or not (asked.in_question(one.start) or text.is_word(end, "?", ";")):
+    asks = text.is_word(end, "?", ";") or (end == len(text) and text.any_in(range(one.start, one.end), "ask"))
+    asks = asks or (text.is_word(end, "-") and text.is_word(end + 1, *_WHERE))
+    if explains or tells or sums or within or not (asked.in_question(one.start) or asks):
         return True
     sizes = [span for span in text.all("measure", "scale") if found and found[-1].start <= span.start < one.end]
     said = [(span.start < one.start, getattr(span.value, "measure", span.value)) for span in sizes]
@@ -168,7 +195,9 @@ def _before_articles(asked: Question, at: int) -> int:
 def _stretches(asked: Question, asks: Sequence[set[int]]) -> Iterator[tuple[int, int, str]]:
     """The stretches between joints, and the joint behind each. What one phrase says is not parted."""
     text = asked.text
-    joints = {i for i in text.at_words(*_JOINTS) if text.tokens[i].kind is not Kind.TIMES}
+    axes = {i for i in text.at_words("x") if text.find(i - 1, "axis_preposition", "side_preposition")}  # 'along x'
+    joints = {i for i in text.at_words(*_JOINTS) if text.tokens[i].kind is not Kind.TIMES} - axes
+    joints -= {i for i in text.at_words("-") if text.is_word(i + 1, *_WHERE)}  # 'wall thickness - at the rim …'
     for phrase in _JOINING:
         size = len(phrase.split())
         begins = (i for i in range(len(text)) if " ".join(text.words[i : i + size]) == phrase)
@@ -178,6 +207,8 @@ def _stretches(asked: Question, asks: Sequence[set[int]]) -> Iterator[tuple[int,
         joining = next((i for i in sorted(text.at_words("and", "&")) if i > at), len(text))
         parting |= {joining} if asking & {*range(joining + 1, joining + 4)} else set()
         joints -= {joining} - parting
+    before = {span.start for span in text.all("measure") if text.tokens[span.end - 1].plural}
+    parting |= {i for i in text.at_words("and", "&") if text.is_word(i + 1, *_WHERE) and before & {*range(i)}}
     for within in (*(range(m.start, m.end) for m in asked.mentions), *(range(min(one), max(one)) for one in asks)):
         words = [i for i in within if i not in joints]
         joints.difference_update({*range(words[0], words[-1])} - parting if words else ())
@@ -202,8 +233,16 @@ def _asks(asked: Question) -> list[set[int]]:
         point = point or (one.how == "where" and not text.find(one.start + 1, "be", "do"))  # 'where the rail sits'
         point = point or one.start in asked.phrases.included
         cut = next((i for i in range(one.start + 1, one.end) if i in apart), one.end)  # 'width and spacing'
+        last = max((i for i in range(one.start + 2, one.end) if text.find(i, "measure")), default=cut)
+        if cut == one.end and one.end <= last + 2 and text.is_word(one.end, *_OFF):
+            cut = last  # 'width, and height above the seat'
         if not (point or _is_place(asked, one.start)):
             found += [set(each) for each in (range(one.start, cut - (cut < one.end)), range(cut, one.end)) if each]
+    ahead = [at for at in text.at_words(*REACHES) if text.is_word(at + 1, *_OFF)]
+    amounts = [at for at in text.at_words("how") if text.is_word(at + 1, "much")]
+    ahead += amounts if len(amounts) > 1 else ()  # 'how much … under the slot, how much under the pad'
+    ahead += [at for at in text.at_words("how") if text.is_word(at + 1, "far", "close")]
+    found += [{at} for at in ahead if not any(at in each for each in found)]
     for span in text.all("count", "distance", "gap", "center_to_center"):
         known = found if span.category in ("count", "gap") else [named, *found]
         adds = span.category == "center_to_center" and text.sentences[asked.sentence_of(span.start)][0] != span.start
@@ -241,6 +280,9 @@ def _borrow(asked: Question, one: _Clause, before: _Clause | None) -> None:
     text = asked.text
     begin = text.skip(one.start, "article")
     mention = one.mentions[0] if one.mentions else None
+    joined = text.is_word(one.start - 1, "and", "&", "plus")
+    if mention is None and joined and before is not None and text.is_word(one.start, *_WHERE):
+        _place_apart(asked, one, before)
     if mention is None or mention.query is None:
         return
     noun = lexicon().nouns.get(mention.query.noun)
@@ -255,16 +297,44 @@ def _borrow(asked: Question, one: _Clause, before: _Clause | None) -> None:
         return  # 'the angle, seen from above, between the lugs'
     if text.is_word(begin + 1, "both", "all"):
         return  # 'in total, on both faces'
+    if joined and mention.start == one.start:
+        _share(asked, one, before)
     again = not text.is_word(begin, "between") or text.is_word(before.start, "between") or "between" in before.lead
     if text.is_word(begin, *_WHERE) and again and mention.part.known and mention.start in behind:
-        one.asks, one.lead = [{mention.head}], _text(asked, min(before.asks[-1]), max(before.asks[-1]) + 1)
+        one.asks, one.lead = (
+            [{mention.head}],
+            (before.lead or _text(asked, min(before.asks[-1]), max(before.asks[-1]) + 1)),
+        )
+
+
+def _place_apart(asked: Question, one: _Clause, before: _Clause) -> None:
+    """'Diameters of the boss on the left and of the rib on the right': asked of both, though one phrase reads so."""
+    text, end = asked.text, max(i for each in before.asks for i in each) + 1
+    lead = next((i for i in range(end, before.end) if text.is_word(i, *_WHERE)), None)
+    if text.any_in(range(one.start, one.end), "noun") and (lead or before.lead):
+        one.asks, one.lead = [{_PARTED}], before.lead or _text(asked, before.start, lead or end)
+
+
+def _share(asked: Question, one: _Clause, before: _Clause) -> None:
+    """'How thick are the web and the rim', 'diameters of the head and the shank of the screw': asked of both."""
+    text, last, own = asked.text, before.mentions[-1], one.mentions[0]
+    asks = {i for each in before.asks for i in each}
+    apart = any(text.find(i, "distance", "gap", "count") or text.is_word(i, "angle") for i in asks)
+    bare = last.query is not None and not last.query.places and own.part.known  # no 'slot of the web and the rim'
+    alone = len(before.mentions) == 1  # no 'how thick is the plate that the lug and the rib stand on'
+    if apart or not (bare and alone) or last.end != one.start - 1 or max(asks) >= last.start:
+        return
+    one.asks, one.lead = [{own.head}], _text(asked, before.start, last.start)
+    of = next((i for i in range(own.start, own.end) if text.is_word(i, "of")), own.end)
+    begin = of if text.find(last.head, "noun") else own.head  # 'the left and the right leg'
+    before.tail = _text(asked, begin, own.end + text.is_word(own.end, "have", "has"))
 
 
 def _worded(asked: Question, topic: str, found: Sequence[_Clause], index: int) -> str:
     """One of the clauses as a question: with what it is asked of where that stands before all, or only behind."""
     text, one = asked.text, found[index]
-    said = _IF_SO.sub("", " ".join(filter(None, (one.lead, _text(asked, one.start, one.end)))))
-    said = _EACH.sub("each of them", said) if index else said
+    said = _IF_SO.sub("", " ".join(filter(None, (one.lead, _text(asked, one.start, one.end), one.tail))))
+    said = _THIS.sub("the", _EACH.sub("each of them", said)) if index else said
     leans = any(text.is_word(i, *_LEANING) for i in range(one.start, one.end))
     if topic:
         return f"{topic}: {said}?"
@@ -272,7 +342,7 @@ def _worded(asked: Question, topic: str, found: Sequence[_Clause], index: int) -
         return f"{said}?"
     if any(each.mentions for each in found[:index]):
         return f"and {said}?"
-    for mention in (m for later in found[index + 1 :] for m in later.mentions[:1]):
+    for mention in (m for later in found[index + 1 :] for m in later.mentions):
         lead = _before_articles(asked, mention.start)
         if text.is_word(lead, "of", "for", "on", "in", "at"):
             return f"{said} {_text(asked, lead, mention.end)}?"
@@ -346,6 +416,7 @@ def _plain(record: AnswerRecord, judged: Judged) -> Answer | None:
 
 def _joined(codes: Sequence[str], lists: Sequence[bool]) -> str:
     """The programs one after the other, and all their values."""
-    values = [f"*{_ALIKE.format(index)}" if several else f"value{index}" for index, several in enumerate(lists)]
-    kept = [re.sub(r"^solution = ", f"value{index} = ", code, flags=re.MULTILINE) for index, code in enumerate(codes)]
+    alike = [_ALIKE if _ONE_MEASURE.search(code) else "answer{0}" for code in codes]
+    values = [f"*{alike[index].format(index)}" if several else f"answer{index}" for index, several in enumerate(lists)]
+    kept = [re.sub(r"^solution = ", f"answer{index} = ", code, flags=re.MULTILINE) for index, code in enumerate(codes)]
     return "\n".join([*kept, f"solution = [{', '.join(values)}]"])

@@ -183,6 +183,12 @@ class Understanding:
                 break
         return found
 
+    def likeliest(self, run: Run) -> Candidate | None:
+        """The candidate with the most probable value; where none has a value the best of all."""
+        tried = self.tried(run)
+        found = self.ranking(tried, [one.score for one in self.ranked[len(tried) :]]).values if tried else ()
+        return found[0].candidate if found else next(iter(self.ranked), None)
+
     def ranking(self, tried: Sequence[Candidate], untried: Sequence[float] = ()) -> Ranked:
         """The values of programs that ran, against those that did not, and against parts that are not there."""
         return ranked(tried, untried, () if self.addressed.ids else self.absences)
