@@ -100,6 +100,7 @@ def test_what_is_asked_of_several_is_several_questions(question: str, said: tupl
         "What is the distance of the lug and the rib?",
         "What is the angle of the lug and the rib?",
         "Slot width - at the bottom?",
+        "Where do the axes of the lug and the rib cross?",
         "How thick is the slot that the lugs and the ribs stand on?",
     ],
 )

@@ -135,6 +135,9 @@ def test_words_that_carry_meaning_are_never_skipped_without_a_word() -> None:
         ("Can it be injection moulded?", "how the part is to be made"),
         ("Which CAD system was used?", "with what"),
         ("Who designed this part?", "designed"),
+        ("Height and weight of the plate?", "density"),
+        ("How much is the plate?", "price"),
+        ("What runout does the hole have?", "tolerance"),
     ],
 )
 def test_what_the_model_or_any_file_lacks_is_refused_in_one_sentence(question: str, says: str) -> None:
@@ -250,3 +253,15 @@ def test_a_number_that_passes_over_a_measure_is_not_sure(question: str, at_most:
     model, reader = view(*THREE), Reader(question)
     best = candidates(reader.readings, model.ground, model.whole, Affinity((), model.whole))[0]
     assert most(best, reader.text) == at_most
+
+
+    "question",
+    [
+        "Net volume for the weight estimation?",
+        "What is the height of the outer weights?",
+        "How much is the hole sunk below the face?",
+        "Does the hole run out through the end?",
+    ],
+)
+def test_a_word_for_what_no_file_holds_may_name_something_else(question: str) -> None:
+    assert Understanding(question, view(*THREE), Expectation()).refused is None

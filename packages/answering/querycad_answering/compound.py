@@ -319,7 +319,7 @@ def _share(asked: Question, one: _Clause, before: _Clause) -> None:
     """'How thick are the web and the rim', 'diameters of the head and the shank of the screw': asked of both."""
     text, last, own = asked.text, before.mentions[-1], one.mentions[0]
     asks = {i for each in before.asks for i in each}
-    apart = any(text.find(i, "distance", "gap", "count") or text.is_word(i, "angle") for i in asks)
+    apart = any(text.find(i, "distance", "gap", "count", "where") or text.is_word(i, "angle", "axis") for i in asks)
     bare = last.query is not None and not last.query.places and own.part.known  # no 'slot of the web and the rim'
     alone = len(before.mentions) == 1  # no 'how thick is the plate that the lug and the rib stand on'
     if apart or not (bare and alone) or last.end != one.start - 1 or max(asks) >= last.start:

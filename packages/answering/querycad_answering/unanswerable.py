@@ -9,8 +9,9 @@ from dataclasses import dataclass
 from querycad_contracts import Failure, FailureCategory, Measure, PartQuery
 from querycad_language.describe import none_such, noun_phrase, place_phrase
 from querycad_language.forms import Check, Get
-from querycad_language.lexicon import lexicon
+from querycad_language.lexicon import Span, lexicon
 from querycad_language.readings import Reader
+from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
 from .candidates import Absence, Candidate
@@ -36,6 +37,8 @@ _CANNOT_KNOW = {
 }
 
 
+_LEVELS = ("below", "above", "beyond", "beneath")
+"""'How much is the groove cut below the face?' asks for no price."""
 _LEAD = r"^(?:(?:and|but|so|hi|hello|please|sorry)[\s,]+)*"
 _BEYOND = tuple(
     (re.compile(pattern, re.IGNORECASE), message)
@@ -106,7 +109,7 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     beyond = next((message for pattern, message in _BEYOND if pattern.search(text.question)), None)
     if beyond is not None:
         return Failure(category=FailureCategory.NOT_GROUNDED, message=beyond)
-    if _HOW_MUCH.search(text.question) and not any(text.all(*_AMOUNTS)):
+    if _HOW_MUCH.search(text.question) and not any(text.all(*_AMOUNTS)) and not text.has(*_LEVELS):
         message = f"{_CANNOT_KNOW['price']}; for an amount name its measure, such as the volume"
         return Failure(category=FailureCategory.NOT_GROUNDED, message=message)
     if any(token.power == DENSITY and token.value > 0 for token in text.tokens):
@@ -114,18 +117,34 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     first = next(iter(asked.reader.readings), None)
     form = first.form if first is not None else None
     weighed = form.left if isinstance(form, Check) else form
-    if isinstance(weighed, Get) and weighed.density is None and _WEIGHED & set(weighed.measures):
+    weighs = isinstance(weighed, Get) and weighed.density is None and bool(_WEIGHED & set(weighed.measures))
+    if weighs and not _weighs_nothing(text):
         return Failure(category=FailureCategory.NOT_GROUNDED, message=_CANNOT_KNOW["density"])
     start, end = asked.reader.asking
     unknowable = [span for span in text.all("cannot_know") if start <= span.start < end]
     inside = {i for span in unknowable for i in range(span.start, span.end)}
     measured = any(text.find(i, *_MEASURED) for i in range(start, end) if i not in inside)
     for span in unknowable:
+        if span.value == "tolerance" and text.is_word(span.start, "run") and text.find(start, "do", "modal"):
+            continue  # 'does the slot run out through the end?'
         noun = text.find(span.start, "noun")  # 'surface finish' is no surface
         is_used = best is not None and span.start in best.reading.used and noun is not None and noun.end >= span.end
         if not is_used and (not measured or _asks_for(asked, span.start, start)):
             return Failure(category=FailureCategory.NOT_GROUNDED, message=_CANNOT_KNOW[span.value])
     return None
+
+
+def _weighs_nothing(text: Text) -> bool:
+    """Does every word for a weight name something else: 'the volume for the weight estimate', 'size of the weights'?"""
+    spans = [one for one in text.all("measure") if getattr(one.value, "measure", one.value) in _WEIGHED]
+    other = [one.start for one in text.all("measure") if one not in spans]
+
+    def names(span: Span) -> bool:
+        estimate = span.end < len(text) and text.is_content(span.end) and not text.spans[span.end]
+        weights = text.tokens[span.start].plural and text.any_in(range(max(0, span.start - 3), span.start), "article")
+        return (estimate or weights) and any(at < span.start for at in other)
+
+    return bool(spans) and all(map(names, spans))
 
 
 def _asks_for(asked: Refused, at: int, start: int) -> bool:
