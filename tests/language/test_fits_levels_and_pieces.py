@@ -89,6 +89,14 @@ def test_spacings_are_along_a_part_and_across_it() -> None:
     assert (along.noun, across) == ("slot", SHORTER)
 
 
+def test_a_size_along_the_long_and_the_short_side_is_two_measures() -> None:
+    sides = (Measure.LONG_SIDE, Measure.SHORT_SIDE)
+    for question in ("How big is the flange, long way and short way?", "Flange size? Long side, short side"):
+        assert sides in {form.measures for form in forms(question) if isinstance(form, Get)}
+    three = forms("What is the size of the flange: long way, short way, thickness?")
+    assert sides not in {form.measures for form in three if isinstance(form, Get)}
+
+
 def test_one_direction_alone_is_one_spacing() -> None:
     for question in ("How far apart are the studs along the slot?", "Spacing of the long studs along x?"):
         assert not [form for form in forms(question) if isinstance(form, Several)]

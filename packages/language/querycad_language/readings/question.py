@@ -41,8 +41,7 @@ class Question:
     def views(self) -> list[Mention]:
         """Sides that are said apart from a part: 'Looking from the left, …', '… do you see on the top?'"""
         found: list[Mention] = []
-        free = {*range(len(self.text))}.difference(*(range(one.start, one.end) for one in self.mentions))
-        for at in sorted(free):
+        for at in sorted({*range(len(self.text))}.difference(*(range(one.start, one.end) for one in self.mentions))):
             if (not found or at >= found[-1].end) and (view := self.phrases.view(at)) is not None:
                 found.append(view)
         return found

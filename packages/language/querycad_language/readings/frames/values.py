@@ -8,7 +8,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from querycad_contracts import Measure, PartKind
-from querycad_language.forms import LONGEST, Behind, Combine, Distance, Get, Reduce, Target
+from querycad_language.forms import LONGEST, SHORTER, Behind, Combine, Distance, Get, Reduce, Target
 from querycad_language.measures import EXTENTS, is_length
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.owners import Owner, kinds_of, owners_of
@@ -40,6 +40,7 @@ _RUNNING = frozenset(("along", "parallel", "run", "lie", "coordinate", "follow",
 _TURNING = frozenset(("about", "around", "turn", "spin", "rotate", "revolve"))
 _JOINTS = ("and", ",", "&", "x", "then", "by")
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
+_ALONG_AXES = {**dict(enumerate(EXTENTS)), LONGEST: Measure.LONG_SIDE, SHORTER: Measure.SHORT_SIDE}
 
 
 def values(question: Question) -> Iterator[Parse]:
@@ -189,11 +190,11 @@ def _both_diameters(question: Question, get: Get, parse: Parse) -> Iterator[Pars
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How long is it in y direction?' is the extent along y."""
     text = question.text
-    axis, used = axis_named(question, parse.used)
-    axes, listed = axes_listed(question)
+    (axis, used), (axes, listed) = axis_named(question, parse.used), axes_listed(question)
+    further = text.at_phrases("measure") - listed - parse.used  # 'size: long side, short side, height'
     found: list[tuple[tuple[Measure, ...], set[int]]] = []
-    if axes and {*axes} <= {0, 1, 2} and get.measures[0] in SIZES:
-        found.append((tuple(EXTENTS[one] for one in axes if isinstance(one, int)), listed))
+    if axes and {*axes} <= _ALONG_AXES.keys() and get.measures[0] in SIZES and not further:
+        found.append((tuple(_ALONG_AXES[one] for one in axes if isinstance(one, int)), listed))
     if axis is not None and axis < LONGEST and len(get.measures) == 1 and get.measures[0] in _ALONG:
         found.append(((EXTENTS[axis],), used))
     found += _taken_across(question, get)
