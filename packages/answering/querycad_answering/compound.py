@@ -40,7 +40,9 @@ _AXES = re.compile(
 )
 _LEANING = ("its", "their", "each")
 _VERBS = ("ask", "where", "be", "do", "exists")
-_EXPLAINING = frozenset("as namely meaning measured counting to from over across along not past".split())
+_EXPLAINING = (
+    "as", "namely", "meaning", "measured", "counting", "to", "from", "over", "across", "along", "not", "past"
+)  # fmt: skip
 """Words that a stretch begins with which says more of what was asked before it."""
 _WISHES = ("need", "want", "wish", "would", "must", "should", "like", "also")
 _SUMMED = ("together", "altogether", "combined")
