@@ -6,11 +6,12 @@ import pytest
 from tests.made import hole, part, whole
 
 from querycad_answering.programs import Grounds, Unwritable, write
-from querycad_contracts import PartQuery, Vector
+from querycad_contracts import Part, PartQuery, Vector
 from querycad_language.forms import HORIZONTAL, VERTICAL, Distance, Plane
 
 ARM = PartQuery(noun="arm", definite=True)
 HOLES = PartQuery(noun="hole", plural=True)
+ROWS = PartQuery(noun="row", plural=True, definite=True)
 PIN, BLOCK = PartQuery(noun="pin", definite=True), PartQuery(noun="block", definite=True)
 
 
@@ -71,3 +72,65 @@ def test_what_lies_obliquely_does_not_stand_out_along_x_y_or_z() -> None:
 def test_what_leans_on_a_level_plate_stands_out_along_its_thickness() -> None:
     on_plate = pin_in_block((0.6, 0.0, 0.8), (0.03, 0.01, 0.04), (0.08, 0.08, 0.004))
     assert "center[2]" in write(Distance(Plane(None, PIN), Plane(None, BLOCK)), on_plate, whole()).code
+
+
+def run(code: str, found: tuple[Part, ...], others: tuple[Part, ...] = ()) -> object:
+    """What a program gives of parts that stand for what it finds: the first query, then the second."""
+    batches = iter((found, others))
+
+    def different(values: list[float], tolerance: float) -> list[float]:
+        kept: list[float] = []
+        for value in sorted(values):
+            kept += [] if kept and value - kept[-1] < tolerance else [value]
+        return kept
+
+    names: dict[str, object] = {"find_parts": lambda _: list(next(batches)), "different": different}
+    exec(code, names)  # noqa: S102 - our own program
+    return names["solution"]
+
+
+STAGGERED = tuple(hole(i, 10.0 * i, 17.0 * (i % 2)) for i in range(6))
+"""Two rows of three, 17 mm apart, 20 mm from hole to hole in a row, one set off by half of that."""
+GRID = tuple(hole(4 * i + j, 9.0 * i, 7.0 * j) for i in range(3) for j in range(4))
+"""Four rows of three, 7 mm apart; three columns, 9 mm apart."""
+
+
+@pytest.mark.parametrize(
+    ("query", "holes", "apart"),
+    [
+        ({"count": 2}, STAGGERED, 0.017),
+        ({}, STAGGERED, 0.017),
+        ({"count": 4}, GRID, 0.007),
+        ({"count": 3}, GRID, 0.009),
+        ({}, GRID, 0.007),
+        ({"adjectives": ("vertical",)}, GRID, 0.009),
+    ],
+)
+def test_rows_are_as_far_apart_as_square_to_them(
+    query: dict[str, object], holes: tuple[Part, ...], apart: float
+) -> None:
+    rows = ROWS.model_copy(update=query)
+    code = write(Distance(rows, "each other", "centers"), {rows: (holes, 0)}, whole()).code
+    assert run(code, holes) == pytest.approx(apart)
+
+
+def test_rows_of_what_leans_are_apart_along_it() -> None:
+    leaning = tuple(
+        part(f"hole-{i}", (0.01 * (i % 3), 0.6 * up, 0.8 * up), axis=(0.0, 0.8, -0.6), radius=0.002)
+        for i, up in enumerate((0.0, 0.0, 0.0, 0.02, 0.02, 0.02))
+    )
+    code = write(Distance(ROWS, "each other"), {ROWS: (leaning, 0)}, whole()).code
+    assert run(code, leaning) == pytest.approx(0.02)
+
+
+def test_one_row_and_another_are_apart_where_each_is_one() -> None:
+    left, right = (PartQuery(noun="row", words=(side, "row"), definite=True) for side in ("left", "right"))
+    one, other = STAGGERED[::2], STAGGERED[1::2]
+    code = write(Distance(left, right, "centers"), {left: (one, 0), right: (other, 0)}, whole()).code
+    assert run(code, one, other) == pytest.approx(0.017)
+
+
+def test_holes_of_rows_and_what_lies_in_no_rows_are_apart_from_one_to_the_next() -> None:
+    for query, holes in ((HOLES, STAGGERED), (ROWS, (hole(1), hole(2, 3.0, 5.0), hole(3, 11.0, 16.0)))):
+        code = write(Distance(query, "each other", "centers"), {query: (holes, 0)}, whole()).code
+        assert "a.center_distance(b)" in code

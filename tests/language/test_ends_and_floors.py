@@ -52,6 +52,21 @@ def test_neighbours_are_two_of_all_and_no_group_of_two() -> None:
     assert all(isinstance(first, PartQuery) and first.count is None for first in every)
 
 
+@pytest.mark.parametrize(
+    ("question", "every"),
+    [
+        ("How far is the lug from the axis of the bore?", False),
+        ("What remains between the lug and the groove?", False),
+        ("How far is it from one lug to the next?", True),
+        ("The lug spacing?", True),
+        ("How far is it from each of the two lugs to the other?", True),
+    ],
+)
+def test_one_of_two_places_is_not_apart_from_its_own_kind(question: str, every: bool) -> None:
+    found = [form.first for form in forms(question) if isinstance(form, Distance) and form.second == "each other"]
+    assert any(isinstance(first, PartQuery) and first.noun == "lug" for first in found) is every
+
+
 def test_an_angular_spacing_is_no_distance() -> None:
     found = forms("The angular spacing of neighbouring lugs?")
     assert any(isinstance(form, Angle) for form in found)

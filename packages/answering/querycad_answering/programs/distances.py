@@ -39,6 +39,7 @@ from .planes import (
     side_axis,
     side_behind,
 )
+from .rows import rows_apart
 
 FEW = 60
 """Every two of so many are measured in a run's 2,000 calls; of more only the nearest neighbours, for the least."""
@@ -87,7 +88,8 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     if isinstance(second, PartQuery) and (fit := _FITS.get(form.mode)) is not None:
         return fit(build, form, first, second), kind
     other = second if isinstance(second, PartQuery) else None
-    return pairwise(build, first, other, _between(build, form, other is not None), form.reduce), kind
+    rows = rows_apart(build, first, other, form.axis) if form.mode in ("usual", "centers") else None
+    return rows or pairwise(build, first, other, _between(build, form, other is not None), form.reduce), kind
 
 
 def along_each(build: Builder, several: Sequence[Distance]) -> list[Distance]:

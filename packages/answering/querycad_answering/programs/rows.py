@@ -1,14 +1,19 @@
-"""Rows and columns of like parts: how many there are, and how many parts are in each."""
+"""Rows and columns of like parts: how many there are, how many parts are in each, and how far apart they lie."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from querycad_contracts import DRAWING_M, Part, PartQuery
-from querycad_contracts.vectors import cross, norm, sub
+from querycad_contracts import DRAWING_M, Part, PartQuery, Vector
+from querycad_contracts.vectors import coordinate_axis, cross, dot, norm, sub
 
-from .builder import Builder, Unwritable
+from .builder import Builder, Read, Unwritable
+
+ROWS = frozenset(("row", "row of hole", "hole row"))
+"""Nouns that mean the rows, not what stands in them."""
+_SQUARE = 1e-3
+"""Cosine of directions that are square to each other: 0.06 degrees."""
 
 
 def count_rows(build: Builder, target: PartQuery) -> str | None:
@@ -72,3 +77,51 @@ def _lines(parts: Sequence[Part], word: str) -> tuple[int, Counter[int]] | None:
         reached = place
         found[at] += 1
     return (axis, found) if 2 * len(found) <= len(parts) else None
+
+
+def rows_apart(build: Builder, first: PartQuery, second: PartQuery | None, axis: int | None) -> str | None:
+    """From one row to the next, square to both, as an expression; None where the parts do not lie in rows.
+
+    As many rows as are said; else level ones. `axis`: x, y or z, where it is said.
+    """
+    queries = [query for query in (first, second) if query is not None]
+    if any(query.noun not in ROWS or not build.of(query) for query in queries) or (second is None and not first.plural):
+        return None
+    ways = [way for way in _across(build.all_of(*queries)) if axis is None or coordinate_axis(way) == axis]
+    if second is not None:
+        ways = [way for way in ways if all(len(_levels(build.of(query), way)) == 1 for query in queries)]
+    else:
+        parts, said = build.of(first), first.count or 0
+        rows = {way: len(_levels(parts, way)) for way in ways}
+        ways = [way for way in ways if 2 <= rows[way] < len(parts) and rows[way] in (said or rows[way],)]
+    if not ways or (len(ways) > 1 and (first.count is not None or second is not None)):
+        return None
+    way = ways[0 if "vertical" in first.adjectives else -1]
+    at = f"sum(x * y for x, y in zip(p.center, {tuple(round(x, 9) for x in way)}))"
+    names = [build.parts(query) for query in queries]
+    build.lines.append(f"levels = different([{at} for p in {' + '.join(f'list({n})' for n in names)}], {DRAWING_M})")
+    build.reads.append(Read("distance", str(build.of(first)[0].kind), "center", "own"))
+    return "min(b - a for a, b in zip(levels, levels[1:]))"
+
+
+def _across(parts: Sequence[Part]) -> list[Vector]:
+    """The directions along which parts lie in rows and columns, the level one first: square to what they look along."""
+    looks = next((way for part in parts[:1] for way in (part.axis, part.normal) if way is not None), None)
+    ways = list(_coordinates())
+    if looks is None:
+        return ways
+    level = [way for way in ways if abs(dot(way, looks)) < _SQUARE]
+    return level if len(level) != 1 else [level[0], cross(looks, level[0])]
+
+
+def _coordinates() -> Iterator[Vector]:
+    yield from ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+
+def _levels(parts: Sequence[Part], way: Vector) -> list[float]:
+    """How far along a direction the middles of parts lie, each distance once."""
+    found: list[float] = []
+    for at in sorted(dot(part.center, way) for part in parts):
+        if not found or at - found[-1] > DRAWING_M:
+            found.append(at)
+    return found

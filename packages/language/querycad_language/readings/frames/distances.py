@@ -258,11 +258,13 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
     neighbors = text.at_phrases("neighbor")
+    several = neighbors or text.has("one", "next", "other", "each") or text.find(start - 1, "noun")  # 'stud spacing'
+    single = len(ends) > 1 and text.has("from", "between") and not several  # 'from the floor of the keyway to the axis'
     for _, anchor, used, mate in chain.from_iterable([*after[:3], *before[-3:]]):
-        if isinstance(anchor, PartQuery) and not (mate or anchor.also):
+        if isinstance(anchor, PartQuery) and not (mate or anchor.also or (single and not anchor.plural)):
             anchor = replace_fields(anchor, count=None, plural=True) if neighbors else anchor
-            features: Features = {"each_other": 1.0, "count_two": float(anchor.count == 2)}
-            yield _Pair(anchor, "each other", used | neighbors, features)
+            two = float(anchor.count == 2)
+            yield _Pair(anchor, "each other", used | neighbors, {"each_other": 1.0, "count_two": two})
     yield from _two(text, before, after)
     yield from _levels(text, ends)
     for spot in chain.from_iterable([*after[:2], *before[-1:]]):
@@ -295,9 +297,8 @@ def _two(text: Text, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) 
             both = replace_fields(one.anchor, plural=True)
             yield _Pair(both, "each other", used, {"each_other": 1.0, "two_anchors": 1.0})
         compound = text.find(max(one.used) + 1, "distance") and text.is_word(min(two.used) - 1, "of", "in", "on")
-        if compound and isinstance(two.anchor, PartQuery):
-            continue  # 'the hole spacing of the grid' is that of its holes
-        if not itself and (one.placed or two.placed):
+        pair = not (compound and isinstance(two.anchor, PartQuery))  # 'the hole spacing of the grid' is of its holes
+        if pair and not itself and (one.placed or two.placed):
             mate = {"axis_of_mate": 1.0} if one.mate or two.mate else {}
             yield _Pair(one.anchor, two.anchor, used, {"two_anchors": 1.0, **mate, "led": _led(text, one, two)})
 
