@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 import pytest
-from tests.made import hole, whole
+from tests.made import hole, part, whole
 
 from querycad_answering.programs.builder import Unwritable
 from querycad_answering.programs.circles import on_one_circle
@@ -30,7 +30,7 @@ def holes(places: list[tuple[float, float]]) -> tuple[Part, ...]:
 
 
 def value(form: Get | Angle, query: PartQuery, parts: tuple[Part, ...]) -> Any:
-    values: dict[str, Any] = {"find_parts": lambda _: parts}
+    values: dict[str, Any] = {"find_parts": lambda _: parts, "different": lambda found, _: sorted(set(found))}
     exec(write(form, {query: (parts, 0)}, whole()).code, values)  # noqa: S102 - our own program
     return values["solution"]
 
@@ -58,3 +58,13 @@ def test_one_hole_of_a_circle_on_another_level_is_not_on_it() -> None:
 @pytest.mark.parametrize(("degrees", "apart"), [(SEVEN_OF_EIGHT, 45), ([0, 30, 60], 30), ([0, 120, 240], 120)])
 def test_holes_of_a_circle_are_spaced_about_its_middle_wherever_one_is_missing(degrees: list[int], apart: int) -> None:
     assert math.degrees(value(Angle(HOLES, None), HOLES, holes(at_angles(degrees)))) == pytest.approx(apart)
+
+
+def test_curved_slots_run_along_their_pitch_circle() -> None:
+    kidney: dict[str, Any] = {"tags": ("curved", "through"), "width": 0.009, "angle": 0.7, "center_length": 0.035}
+    slots = tuple(part(f"cutout-{i}", **kidney) for i in range(3))
+    assert value(Get((Measure.DIAMETER,), CIRCLE), CIRCLE, slots) == pytest.approx(0.1)
+    assert value(Get((Measure.RADIUS,), CIRCLE), CIRCLE, slots) == pytest.approx(0.05)
+    assert value(Get((Measure.DIAMETER,), HOLES), HOLES, slots) != pytest.approx(0.1)
+    straight = tuple(part(f"cutout-{i}", tags=("through",), width=0.009, center_length=0.035) for i in range(3))
+    assert value(Get((Measure.DIAMETER,), CIRCLE), CIRCLE, straight) != pytest.approx(0.1)

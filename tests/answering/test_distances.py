@@ -134,3 +134,26 @@ def test_holes_of_rows_and_what_lies_in_no_rows_are_apart_from_one_to_the_next()
     for query, holes in ((HOLES, STAGGERED), (ROWS, (hole(1), hole(2, 3.0, 5.0), hole(3, 11.0, 16.0)))):
         code = write(Distance(query, "each other", "centers"), {query: (holes, 0)}, whole()).code
         assert "a.center_distance(b)" in code
+
+
+def turned(number: int, x: float, length: float, radius: float, y: float = 0.0) -> Part:
+    """A section of a shaft along x, from `x` on, in metres."""
+    extents = (length, 2 * radius, 2 * radius)
+    return part(f"boss-{number}", (x + length / 2, y, 0.0), axis=(1.0, 0.0, 0.0), extents=extents, radius=radius)
+
+
+@pytest.mark.parametrize(
+    ("other", "axial"),
+    [
+        (turned(2, 0.08, 0.01, 0.006), True),
+        (turned(2, 0.01, 0.01, 0.006), False),  # beside the collar, radially
+        (turned(2, 0.08, 0.01, 0.006, y=0.02), False),  # on another axis
+        (part("prism-2", (0.08, 0.0, 0.0)), False),
+    ],
+)
+def test_what_follows_on_one_axis_is_apart_along_it(other: Part, axial: bool) -> None:
+    grounds: Grounds = {PIN: ((turned(1, 0.0, 0.03, 0.012),), 0), BLOCK: ((other,), 0)}
+    code = write(Distance(PIN, BLOCK, "surfaces"), grounds, whole()).code
+    assert ("a.distance_to(b)" in code) is not axial
+    if axial:
+        assert "a.half_extents[0]" in code

@@ -67,6 +67,15 @@ def test_one_of_two_places_is_not_apart_from_its_own_kind(question: str, every: 
     assert any(isinstance(first, PartQuery) and first.noun == "lug" for first in found) is every
 
 
+@pytest.mark.parametrize(("whose", "border"), [("the groove", False), ("a slot", False), ("the plate", True)])
+def test_the_edge_of_a_cut_is_no_border_of_the_model(whose: str, border: bool) -> None:
+    found = forms(f"How far is the nearest edge of {whose} from the lug?")
+    ends = [end for form in found if isinstance(form, Distance) for end in (form.first, form.second)]
+    assert (Boundary(None) in ends) is border
+    nouns = {end.noun for end in ends if isinstance(end, PartQuery)}
+    assert {"lug", whose.split()[1]} <= nouns
+
+
 def test_an_angular_spacing_is_no_distance() -> None:
     found = forms("The angular spacing of neighbouring lugs?")
     assert any(isinstance(form, Angle) for form in found)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import product
 
-from querycad_contracts import AnswerType, Part, PartKind, PartQuery, Side
-from querycad_contracts.vectors import cross, norm
+from querycad_contracts import DRAWING_M, AnswerType, Part, PartKind, PartQuery, Side
+from querycad_contracts.vectors import coordinate_axis, cross, norm
 from querycad_language import forms
 from querycad_language.forms import (
     HORIZONTAL,
@@ -199,7 +200,7 @@ def _between(build: Builder, form: Distance, two: bool) -> str:
     behind = all(part.kind.stands_out and turned(part) is not None for part in parts) and len(_apart(parts)) == 1
     own = ("center", "near") if usual and not (flat and two) and not behind else ("near", "center")
     names = {"centers": ("center", "axis"), "surfaces": ("near",)}.get(form.mode, (*own, "axis"))
-    modes = {"center": _center_distance(build, form), "near": "a.distance_to(b)"}
+    modes = {"center": _center_distance(build, form), "near": _surface_distance(build, form)}
     if form.axis is not None:
         apart = f"abs(a.center[{form.axis}] - b.center[{form.axis}])"
         ends = f"a.half_extents[{form.axis}] - b.half_extents[{form.axis}]"
@@ -213,6 +214,23 @@ def _between(build: Builder, form: Distance, two: bool) -> str:
             planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i not in beside)
             modes["axis"] = f"({' + '.join(planar)}) ** 0.5"
     return build.chosen({name: modes[name] for name in names if name in modes}, kinds(parts))
+
+
+def _surface_distance(build: Builder, form: Distance) -> str:
+    """Between the surfaces of 'a' and 'b'; of two that follow each other on one axis along it: a shoulder, a groove."""
+    first, second = (build.of(one) if isinstance(one, PartQuery) else () for one in (form.first, form.second))
+    axes = {None if part.axis is None else coordinate_axis(part.axis) for part in (*first, *second)}
+    along = axes.pop() if len(axes) == 1 and second else None
+    if along is None:
+        return "a.distance_to(b)"
+    for a, b in product(first, second):
+        apart = [abs(x - y) for x, y in zip(a.center, b.center, strict=True)]
+        if (
+            max(apart[along - 1], apart[along - 2]) > DRAWING_M
+            or apart[along] < (a.extents[along] + b.extents[along]) / 2
+        ):
+            return "a.distance_to(b)"
+    return f"abs(a.center[{along}] - b.center[{along}]) - a.half_extents[{along}] - b.half_extents[{along}]"
 
 
 def _are_crossed(parts: Sequence[Part]) -> bool:

@@ -14,7 +14,7 @@ from querycad_language.lexicon import lexicon
 from querycad_language.measures import SCALARS, answer_type, of_several
 from querycad_language.phrases import bare_of
 
-from .builder import Builder, Compared, Grounds, Unwritable, Written
+from .builder import Builder, Compared, Grounds, Read, Unwritable, Written
 from .circles import on_one_circle, write_middle
 from .distances import along_each, distance, overlapping
 from .openings import count_openings
@@ -176,9 +176,9 @@ def _of_parts(build: Builder, form: Get, target: PartQuery) -> tuple[str, Answer
         return "[body.color for body in shape.bodies if body.name in names]", AnswerType.TEXTS
     if measure is Measure.POSITION and target.noun.split()[-1:] == ["end"] and all(part.tip for part in parts):
         measure = Measure.TIP  # a shaft ends at its tip
+    if _is_circle(target) and (circle := _circle(build, target, measure)) is not None:
+        return circle
     expression = build.read(measure, parts)
-    if _is_circle(target) and all(part.kind is PartKind.HOLE for part in parts):
-        return _through_centers(build, name, parts, measure)
     if expression == "{0}.tip" and sum(len(part.tips) for part in parts) > 1:
         return f"[tip for p in {name} for tip in p.tips]", AnswerType.POINTS
     if measure in _DENSE:
@@ -202,6 +202,17 @@ def _is_circle(query: PartQuery) -> bool:
     return noun is not None and noun.name == "bolt circle"
 
 
+def _circle(build: Builder, target: PartQuery, measure: Measure) -> tuple[str, AnswerType] | None:
+    """Of the circle that holes, or curved slots, are on; None where the parts are others, such as patterns."""
+    parts = build.of(target)
+    if measure in (*_STEPPED, Measure.SIZE) and all("curved" in part.tags for part in parts):
+        return _along_centers(build, target, 1 if measure is Measure.RADIUS else 2)
+    if any(part.kind is not PartKind.HOLE for part in parts):
+        return None
+    build.read(measure, parts)
+    return _through_centers(build, build.parts(target), parts, measure)
+
+
 def _through_centers(build: Builder, name: str, parts: Sequence[Part], measure: Measure) -> tuple[str, AnswerType]:
     """Diameter or radius of the circle through two centres, which are opposite, or through all of more.
 
@@ -215,6 +226,15 @@ def _through_centers(build: Builder, name: str, parts: Sequence[Part], measure: 
         return f"math.dist(*centers){share}", AnswerType.LENGTH
     write_middle(build, name, corners)
     return f"2 * math.dist(middle, corners[0]){share}", AnswerType.LENGTH
+
+
+def _along_centers(build: Builder, target: PartQuery, times: int) -> tuple[str, AnswerType]:
+    """So many times the radius of the circle that curved slots run along with their middles. Raises Unwritable."""
+    if build.option or any(part.angle is None or part.center_length is None for part in build.of(target)):
+        raise Unwritable
+    radius = "{0}.center_length / {0}.angle"
+    build.reads.append(Read(Measure.CENTRELINE_RADIUS, str(build.of(target)[0].kind), radius, "own"))
+    return _reduced(build, _listed(build, f"{times} * {radius}", target), Reduce.ONE, AnswerType.LENGTH)
 
 
 def _type(measure: Measure, expression: str) -> AnswerType:

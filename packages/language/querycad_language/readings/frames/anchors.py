@@ -28,9 +28,8 @@ def ends_between(query: Target) -> Iterator[tuple[PartQuery, End]]:
     """The two ends of 'the gap between the nut and the lever', 'the web between the slots'."""
     for _, first in places_of(query, "between"):
         one, second = floored(first) or first, next(iter(first.also), None)
-        end: End = "each other"
-        if second is not None:  # 'between the floor of the pocket and the slot'
-            end = Boundary(None) if _is_edge(second) else floored(second) or second
+        edge = second is not None and _is_edge(second)  # 'between the floor of the pocket and the slot'
+        end: End = Boundary(None) if edge else (second and floored(second)) or second or "each other"
         yield replace_fields(one, also=(), plural=one.plural or second is None), end
 
 
@@ -63,6 +62,10 @@ def anchors_of(question: Question) -> list[Spot]:
     found: list[Spot] = []
     for mention in question.parts:
         query, used = mention.part, set(mention.used)
+        edges = [span for span in text.all("edge") if span.end == mention.start - 1 and text.is_word(span.end, "of")]
+        used |= {
+            i for one in edges if is_cut(query) for i in (*one.tokens, one.end)
+        }  # of a hole: no border of the model
         found.append(Spot(mention.head, query, used))
         noun = text.lexicon.nouns.get(query.noun)
         members = places_of(query, "", "of") if noun is not None and noun.senses[0].kind == ("pattern",) else ()
@@ -77,7 +80,7 @@ def anchors_of(question: Question) -> list[Spot]:
             found += [Spot(mention.head, Plane(None, owner), used) for owner in _owners(question, mention.head)]
         others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
-    free = set(range(len(text))).difference(*(mention.used for mention in question.parts))
+    free = set(range(len(text))).difference(*(spot.used for spot in found))
     found += [spot for at in sorted(free) if (spot := _of_model(text, at))]
     found += [*planes_of(question), *_nearer_ends(question), *_outsides(question)]
     return sorted(found, key=lambda one: one.at)
@@ -180,9 +183,8 @@ def _nearer_ends(question: Question) -> Iterator[Spot]:
         holder = other or next((m for m in question.mentions if m.end == lead - 1 and text.is_possessive(m.end)), None)
         used = {*range(lead, last), *(holder.used if holder is not None else ()), *after}
         used |= {i for at in after for i in (at + 1, at + 2) if text.is_word(i, "to", "it", "them")}
-        of = holder.query if holder is not None else None
+        of = PartQuery(noun=whose, words=(whose,), definite=True) if whose else holder.query if holder else None
         of = replace_fields(of, ranks=(), places=()) if of is not None and after else of
-        of = PartQuery(noun=whose, words=(whose,), definite=True) if whose else of
         yield Spot(at, Boundary(None, of, SHORTER if across else LONGEST), used)
 
 
