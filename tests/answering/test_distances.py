@@ -157,3 +157,15 @@ def test_what_follows_on_one_axis_is_apart_along_it(other: Part, axial: bool) ->
     assert ("a.distance_to(b)" in code) is not axial
     if axial:
         assert "a.half_extents[0]" in code
+
+
+def test_the_two_at_the_ends_are_those_furthest_apart() -> None:
+    end = {"relation": "", "what": {"noun": "end"}}
+    pins = PartQuery.model_validate({"noun": "pin", "count": 2, "plural": True, "places": [end]}, strict=False)
+    two = PartQuery(noun="pin", count=2, plural=True)
+    lever = (hole(1), hole(2, 40.0), hole(3, 40.0, 60.0))
+    for query, reduced in ((pins, "max(found)"), (two, "min(found)")):
+        code = write(Distance(query, "each other", "centers"), {query: (lever, 0)}, whole()).code
+        assert code.endswith(reduced)
+    square = (hole(1), hole(2, 40.0), hole(3, 40.0, 40.0), hole(4, 0.0, 40.0))  # no two of these alone
+    assert "max(" not in write(Distance(pins, "each other", "centers"), {pins: (square, 0)}, whole()).code

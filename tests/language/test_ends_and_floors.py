@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import Angle, Boundary, Distance, Form, Get, Reduce, Towards, Which, queries
+from querycad_language.forms import Angle, Boundary, Distance, Form, Get, Reduce, Several, Towards, Which, queries
 from querycad_language.readings.reader import read
 
 
@@ -74,6 +74,14 @@ def test_the_edge_of_a_cut_is_no_border_of_the_model(whose: str, border: bool) -
     assert (Boundary(None) in ends) is border
     nouns = {end.noun for end in ends if isinstance(end, PartQuery)}
     assert {"lug", whose.split()[1]} <= nouns
+
+
+def test_a_long_arm_and_a_short_arm_are_no_directions() -> None:
+    def several(question: str) -> bool:
+        return any(isinstance(form, Several) for form in forms(question))
+
+    assert several("What is the spacing of the lugs, the long way and the short way?")
+    assert not several("How far apart are the two lugs, one on the long arm and one on the short arm?")
 
 
 def test_an_angular_spacing_is_no_distance() -> None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import combinations, product
+from math import dist
 
 from querycad_contracts import DRAWING_M, AnswerType, Part, PartKind, PartQuery, Side
 from querycad_contracts.vectors import coordinate_axis, cross, norm
@@ -59,7 +60,7 @@ CORNERS = 4
 def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     """How far apart the two ends of a distance are, as an expression and its type."""
     axis = _axis(build, form)
-    form = replace(form, axis=axis)
+    form = replace(form, axis=axis, reduce=_reduce(build, form))
     first, second = form.first, form.second
     if form.mode == "overlap":
         return f"sum(a.overlap_with(b) for a, b in {overlapping(build, form)})", AnswerType.VOLUME
@@ -111,6 +112,17 @@ def along_each(build: Builder, several: Sequence[Distance]) -> list[Distance]:
             apart.remove(axis)
             found[index] = axis
     return [replace(one, axis=found[i] if i in found else apart.pop(0)) for i, one in enumerate(several)]
+
+
+def _reduce(build: Builder, form: Distance) -> Reduce:
+    """What becomes of the distances: of 'the two end holes', or those 'at the two ends', the largest is meant."""
+    first, parts = form.first, build.all_of(form.first)
+    if form.reduce is not Reduce.ONE or form.second != "each other" or not isinstance(first, PartQuery):
+        return form.reduce
+    ends = [one.what for one in first.places if one.what is not None and one.what.noun.split()[-1:] == ["end"]]
+    apart = sorted((dist(a.center, b.center) for a, b in combinations(parts, 2)), reverse=True)
+    alone = len(apart) > 1 and apart[0] - apart[1] > DRAWING_M
+    return Reduce.LARGEST if alone and any(2 in (first.count, one.count) for one in ends) else form.reduce
 
 
 def _axis(build: Builder, form: Distance) -> int | None:

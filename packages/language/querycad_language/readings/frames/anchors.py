@@ -63,9 +63,7 @@ def anchors_of(question: Question) -> list[Spot]:
     for mention in question.parts:
         query, used = mention.part, set(mention.used)
         edges = [span for span in text.all("edge") if span.end == mention.start - 1 and text.is_word(span.end, "of")]
-        used |= {
-            i for one in edges if is_cut(query) for i in (*one.tokens, one.end)
-        }  # of a hole: no border of the model
+        used |= {i for one in edges if is_cut(query) for i in (*one.tokens, one.end)}  # 'the edge of the hole'
         found.append(Spot(mention.head, query, used))
         noun = text.lexicon.nouns.get(query.noun)
         members = places_of(query, "", "of") if noun is not None and noun.senses[0].kind == ("pattern",) else ()

@@ -70,7 +70,6 @@ def distances(question: Question) -> Iterator[Parse]:
         axes, listed = axes_listed(question)
         if text.at_phrases("gap") and (total := text.covered("total")):  # 'play, both sides together'
             reduce, extreme = Reduce.TOTAL, extreme | total
-        opposed = text.at_words("opposite", "opposing")  # 'two holes opposite each other'
         for first, second, more, features in _pairs(question, start):
             all_pairs = second == "each other"
             if level and all_pairs:
@@ -87,7 +86,8 @@ def distances(question: Question) -> Iterator[Parse]:
             if nearest and isinstance(second, PartQuery) and mode == "usual":
                 mode = "surfaces"  # the shortest way from one to the other
             every = all_pairs and reduce is Reduce.ONE
-            across, near = every and opposed, text.covered("least") - more  # 'the two closest holes'
+            near = text.covered("least") - more  # 'the two closest holes', 'two holes opposite each other'
+            across = every and text.at_words("opposite", "opposing")
             of_all = Reduce.LARGEST if across else Reduce.SMALLEST if every and near else reduce
             form = _of_holders(Distance(first, second, mode, axis, of_all))
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
@@ -257,14 +257,13 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
-    neighbors = text.at_phrases("neighbor")
-    several = neighbors or text.has("one", "next", "other", "each") or text.find(start - 1, "noun")  # 'stud spacing'
+    beside = text.at_phrases("neighbor")
+    several = beside or text.has("one", "next", "other", "each") or text.find(start - 1, "noun")  # 'stud spacing'
     single = len(ends) > 1 and text.has("from", "between") and not several  # 'from the floor of the keyway to the axis'
     for _, anchor, used, mate in chain.from_iterable([*after[:3], *before[-3:]]):
         if isinstance(anchor, PartQuery) and not (mate or anchor.also or (single and not anchor.plural)):
-            anchor = replace_fields(anchor, count=None, plural=True) if neighbors else anchor
-            two = float(anchor.count == 2)
-            yield _Pair(anchor, "each other", used | neighbors, {"each_other": 1.0, "count_two": two})
+            anchor = replace_fields(anchor, count=None, plural=True) if beside else anchor
+            yield _Pair(anchor, "each other", used | beside, {"each_other": 1.0, "count_two": float(anchor.count == 2)})
     yield from _two(text, before, after)
     yield from _levels(text, ends)
     for spot in chain.from_iterable([*after[:2], *before[-1:]]):
