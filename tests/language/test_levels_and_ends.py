@@ -275,3 +275,15 @@ def test_what_is_on_the_outside_is_outer(question: str, adjective: str) -> None:
 def test_where_an_axis_pierces_a_face_is_an_opening() -> None:
     found = forms("Where does the axis of the bore pierce the top face?")
     assert any(isinstance(form, Get) and form.measures == (Measure.OPENING,) for form in found)
+
+
+def test_what_stands_out_of_a_face_does_so_of_what_has_it() -> None:
+    def beyond(question: str) -> set[tuple[str, str]]:
+        found = [form for form in forms(question) if isinstance(form, Distance)]
+        ends = [(form.first, form.second) for form in found]
+        return {(a.of.noun, b.of.noun) for a, b in ends if isinstance(a, Plane) and isinstance(b, Plane)}
+
+    assert ("lug", "web") in beyond("How far does the end face of the lug stand above the adjacent face of the web?")
+    assert ("lug", "pad") in beyond("How far does the lug stick out past the pad's surface?")
+    assert ("lug", "web") not in beyond("How far does the lug stick out beyond the inner face of the web?")
+    assert ("lug", "floor") in beyond("How far does the lug stick out beyond the floor of the pocket?")

@@ -47,8 +47,7 @@ class _Words(NamedTuple):
     mode: Mode
     used: set[int]
     named: bool = True
-    level: bool = False
-    """'How high above …?' is not asked of every two."""
+    level: bool = False  # 'how high above …?' is not asked of every two
 
 
 class _Pair(NamedTuple):
@@ -361,7 +360,9 @@ def overhangs(question: Question) -> Iterator[Parse]:
         yield Parse(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
     elif other is not None:
         used |= other.used
-        form = Distance(Plane(None, first.part), Plane(None, rimmed(other.part) or other.part))
+        ends = [(one, plane_of(one)) for one in (first.part, rimmed(other.part) or other.part)]  # 'the face of the web'
+        bare = [p.of if isinstance(p, Plane) and not (p.side or "inner" in one.adjectives) else one for one, p in ends]
+        form = Distance(Plane(None, bare[0]), Plane(None, bare[1]))
         yield Parse(form, {"overhang": 1.0}, used)
         around = {i for at in text.at_words("side", "end") if text.find(at - 1, "each") for i in (at - 1, at)}
         if around := around | text.at_words("sideways", "radially"):
