@@ -22,7 +22,8 @@ def placed(request: Request, way: Candidate) -> Sequence[Candidate]:
     for place in request.query.places:
         if place.what is not None and request.depth <= MOST_DEEP:
             several = place.relation == "with" or (not place.relation and request.query.count)
-            any_of = {"plural": True} if several and not place.what.definite else {}
+            both = place.relation == "between" and place.what.also  # 'between the base and the upright'
+            any_of = {"plural": True} if both or (several and not place.what.definite) else {}
             holders = request.ground(place.what.model_copy(update=any_of), 3)  # 'with a ring', 'the two eye bores'
             ways = pruned([after for one in ways for after in _at_place(request, one, place, holders)])
     return ways
@@ -40,9 +41,8 @@ def _at_place(request: Request, way: Candidate, place: Place, holders: Sequence[
     if place.relation == "for":
         return [*held, way.to(way.parts, "purpose")]
     said = f"'{place.relation} {place.what.noun}'".replace("' ", "'")
-    lacks = not holders or not holders[0].parts  # though other parts may be meant
     none = way.to(way.parts, f"{name}_holds") if place.negated else way.to((), "place_absent")
-    absent = [none] if lacks else []  # all holes are without a thread where there is none
+    absent = [] if holders and holders[0].parts else [none]  # all holes are without a thread where there is none
     if not there:
         return [way.to(way.parts, f"{name}_unknown", unchecked=said), *absent]
     dropped = way.to(way.parts, f"{name}_dropped", unchecked=said)

@@ -133,10 +133,8 @@ def _lacked(inventory: Inventory, way: Candidate, adjective: Adjective, name: st
         return [way.to(way.parts, "adjective_unchecked" if adjective.unchecked else "adjective_nothing")]
     if adjective.loose:
         return [way.to(way.parts, "adjective_loose", unchecked=f"'{name}'")]
-    feature = (
-        "denied" if all(inventory.has(p, adjective.opposite + adjective.lacks) for p in way.parts) else "adjective"
-    )
-    return kept(way, (), feature, f"'{name}'")
+    denied = all(inventory.has(p, adjective.opposite + adjective.lacks) for p in way.parts)
+    return kept(way, (), "denied" if denied else "adjective", f"'{name}'")
 
 
 def _ordered(request: Request, way: Candidate, adjective: Adjective, name: str) -> Sequence[Candidate]:

@@ -13,6 +13,7 @@ from .nearby import Nearby, to_nearest
 from .places import coaxial, encloses, surrounding, touches
 
 STANDING_OUT = frozenset(kind for kind in PartKind if kind.stands_out) | {PartKind.BODY}
+_JOINS = frozenset(kind for kind in PartKind if kind.stands_out or kind.breaks_edge) | {PartKind.WALL, PartKind.BEND}
 DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
 """(axis, sign) of words for places beside others."""
 
@@ -29,7 +30,7 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
         case "between":
             ids = {h.id for h in holders}
             apart = lying_between([p for p in found if p.id not in ids], holders)
-            return lying_between(apart, holders, whole=True) or apart
+            return lying_between(apart, holders, whole=True) or apart or _joining(found, holders, nearby)
         case "around":
             around = [p for p in found if any(encloses(p, h) for h in holders)]
             edges = [p for p in found if p.kind.breaks_edge]
@@ -57,6 +58,13 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
             own = held(found, "of" if relation == "for" else relation, holders, nearby)
             ids = {h.id for h in holders}
             return own or [p for p in found if not ids.isdisjoint(p.children)]
+
+
+def _joining(found: Sequence[Part], holders: Sequence[Part], nearby: Nearby) -> list[Part]:
+    """Those that meet two of the holders in their corner: the gusset of a base and an upright, the fillet there."""
+    own = {holder.id for holder in holders}
+    able = [part for part in found if part.kind in _JOINS and part.id not in own]
+    return [part for part, near in nearby.pairs(able, holders) if sum(touches(part, one) for one in near) > 1]
 
 
 def next_to(found: Sequence[Part], holders: Sequence[Part], nearby: Nearby) -> list[Part]:
