@@ -10,11 +10,8 @@ from tests.made import hole, part, view
 from querycad_answering.affinity import Affinity
 from querycad_answering.candidates import candidates
 from querycad_answering.compound import clauses, together
-from querycad_contracts import Answer, AnswerRecord, AnswerType, Failure, Part, Status, Unit
-
-
 from querycad_answering.understanding import ModelView
-from querycad_contracts import Answer, AnswerRecord, AnswerType, Failure, FailureCategory, Program, Status, Unit
+from querycad_contracts import Answer, AnswerRecord, AnswerType, Failure, FailureCategory, Part, Program, Status, Unit
 from querycad_language.readings.reader import Reader
 
 MODEL = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004, length=0.01))

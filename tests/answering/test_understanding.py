@@ -255,6 +255,7 @@ def test_a_number_that_passes_over_a_measure_is_not_sure(question: str, at_most:
     assert most(best, reader.text) == at_most
 
 
+@pytest.mark.parametrize(
     "question",
     [
         "Net volume for the weight estimation?",
