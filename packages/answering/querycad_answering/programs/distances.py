@@ -90,7 +90,7 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     if isinstance(second, PartQuery) and (fit := _FITS.get(form.mode)) is not None:
         return fit(build, form, first, second), kind
     other = second if isinstance(second, PartQuery) else None
-    rows = rows_apart(build, first, other, form.axis) if form.mode in ("usual", "centers") else None
+    rows = rows_apart(build, first, other, axis) if form.mode in ("usual", "centers") else None
     return rows or pairwise(build, first, other, _between(build, form, other is not None), form.reduce), kind
 
 
