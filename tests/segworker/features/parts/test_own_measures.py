@@ -64,6 +64,17 @@ def test_a_nut_and_a_bolt_have_the_width_across_flats_of_their_hexagon() -> None
     assert block.across_flats is None
 
 
+def test_a_shaft_has_the_width_of_its_flats_or_its_square_before_that_of_the_socket_in_its_end() -> None:
+    socket = extruded(polygon(6, 6.0), 50.0, 20.0)
+    flats = cut(cylinder(9, 60), box((40, 20, 8), (-20, 8, 20)), box((40, 20, 8), (-20, -28, 20)), socket)
+    square = cut(fuse(cylinder(9, 60), box((10, 10, 25), (-5, -5, -25))), socket)
+    for shape, size in ((flats, 16.0), (square, 10.0), (cut(cylinder(9, 60), socket), 6.0)):
+        (body,) = find(shape).of("body")
+        assert body.across_flats == pytest.approx(size * MM)
+    (block,) = find(fuse(box((60, 40, 10)), box((10, 10, 20), (25, 15, 10)))).of("body")
+    assert block.across_flats is None
+
+
 def test_a_hexagon_socket_has_them_and_an_oblong_does_not() -> None:
     (socket,) = find(cut(plate(), extruded(polygon(6, 8.0), -6.0, 7.0))).of("pocket")
     assert socket.across_flats == pytest.approx(8 * MM)

@@ -28,6 +28,21 @@ from querycad_contracts import Part, Side
 MM = 1e-3
 
 
+def test_the_rings_of_a_grille_are_rims_and_a_disc_with_two_curved_slots_is_a_disc() -> None:
+    spokes = [turned(box((29, 4, 4), (0, -2, -1)), (0, 0, 1), 90.0 * i) for i in range(4)]
+    ring = cut(cylinder(30, 2), cylinder(26, 4, (0, 0, -1)))
+    guard = find(fuse(ring, cylinder(12, 2), *(cut(spoke, cylinder(99, 9, (0, 0, 2))) for spoke in spokes)))
+    rim, hub = sorted(guard.of("boss"), key=lambda boss: -(boss.diameter or 0.0))
+    assert "rim" in rim.tags
+    assert "flat" not in rim.tags
+    assert (rim.outer_diameter, rim.inner_diameter, rim.thickness) == near(60, 52, 4)
+    assert "flat" in hub.tags
+    assert hub.inner_diameter is None
+    slot = cut(cylinder(20, 4, (0, 0, -1)), cylinder(14, 6, (0, 0, -2)), box((50, 50, 9), (-25, -9, -4)))
+    disc = only_boss(cut(cylinder(30, 2), slot))
+    assert "rim" not in disc.tags
+
+
 def only_boss(shape: TopoDS_Shape) -> Part:
     (boss,) = find(shape).of("boss")
     return boss

@@ -56,30 +56,29 @@ def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
     rings = [
         part for part in result if part.kind == "torus" and part.tube_diameter is not None and "outer" in part.tags
     ]
-    wrenched = [part for part in result if part.across_flats and "hexagonal" in part.tags]
+    wrenched = [p for p in result if p.across_flats and (p.kind in ("boss", "prism") or "hexagonal" in p.tags)]
     bends = [part for part in result if part.kind == "bend" and part.thickness and part.axis]
     if not rings and not wrenched and not bends:
         return result
     return [
-        _laid_flat(_of_hexagon(_of_ring(part, rings), wrenched), bends, brep) if part.kind.is_whole else part
+        _laid_flat(_of_wrenched(_of_ring(part, rings), wrenched), bends, brep) if part.kind.is_whole else part
         for part in result
     ]
 
 
-def _of_hexagon(body: Part, hexagons: Sequence[Part]) -> Part:
-    """The same body; one with a single hexagon, as nuts and bolts, has its width across flats; else its one socket's.
+def _of_wrenched(body: Part, wrenched: Sequence[Part]) -> Part:
+    """The same body; one with a single hexagon, as a nut, or pair of flats or square, as a shaft, has its width.
 
-    An outer hexagon comes before a socket.
+    A hexagon outside comes before what else a spanner takes hold of, and that before a socket.
     """
     own = set(body.faces)
-    inside = [part for part in hexagons if own.issuperset(part.faces)]
-    for wrenched in ([p for p in inside if p.kind == "prism"], [p for p in inside if p.kind in OPENINGS]):
-        if len(wrenched) == 1:
-            flats, corners = wrenched[0].across_flats, wrenched[0].across_corners
-            return body.model_copy(update={"across_flats": flats, "across_corners": corners})
-        if wrenched:
-            return body
-    return body
+    inside = [part for part in wrenched if own.issuperset(part.faces)]
+    hexagons = [part for part in inside if part.kind == "prism" and "hexagonal" in part.tags]
+    flats = [part for part in inside if part.kind in ("boss", "prism")] if "circular" in body.tags else []
+    found = hexagons or flats or [part for part in inside if part.kind in OPENINGS]
+    if len(found) != 1:
+        return body
+    return body.model_copy(update={"across_flats": found[0].across_flats, "across_corners": found[0].across_corners})
 
 
 def _laid_flat(body: Part, bends: Sequence[Part], brep: Brep) -> Part:

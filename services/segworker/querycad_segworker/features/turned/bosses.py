@@ -25,7 +25,7 @@ from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import parallel, points_up, scale
 
 from .necks import is_flank, is_neck
-from .step_bores import Bore, bore_in, hole_in, length_bored
+from .step_bores import Bore, bore_in, hole_in, inside_of_rim, length_bored
 from .step_ends import before_jaws, oblique_ends
 
 WIDER = 1.05
@@ -274,6 +274,8 @@ def _boss(
     bored = 0.0 if hole is None else length_bored(holes[hole], axis, low, high)
     if stack.open_both and high - low > SLENDER * 2 * wall.radius and bored <= HOLLOW * (high - low):
         bore = None  # a centre hole in its end makes no shaft hollow
+    rim = inside_of_rim(brep, axis, wall, low, high) if hole is None else None
+    bore = bore or rim
     tags = _tags(stack, steps, step, high - low, bore, bored, on_both=is_clasped(brep, axis, own))
     return Boss(
         base=base,
@@ -281,7 +283,7 @@ def _boss(
         normal=axis.direction if tip_high else scale(axis.direction, -1.0),
         radius=wall.radius,
         height=high - low,
-        tags=_as_rim(tags) if hole is not None and RIM in holes[hole].tags else tags,
+        tags=_as_rim(tags) if rim is not None or (hole is not None and RIM in holes[hole].tags) else tags,
         faces=tuple(sorted(faces)),
         body=wall.body,
         hole=hole,

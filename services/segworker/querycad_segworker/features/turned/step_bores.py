@@ -6,14 +6,18 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from querycad_contracts import Vector
+from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.holes.hole import Hole, Section, SectionKind
 from querycad_segworker.features.shared.coaxial_stacks import radius_at, wall_range
 from querycad_segworker.features.shared.walls import Axis, Wall
+from querycad_segworker.tolerances import reaches
+from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import parallel
 
 EVEN = 0.1
 """The wall of a hollow cone is as thick at both ends, but for this share; else it tapers, and has no one thickness."""
+WINDOWS_RAD = math.radians(240.0)
+"""Windows along more than so much of a turn, two thirds of it, leave spokes between them and no disc."""
 _CYLINDRICAL = (SectionKind.BORE, SectionKind.SEAT, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
 
 
@@ -79,3 +83,22 @@ def hole_in(holes: Sequence[Hole], axis: Axis, wall: Wall, tip: Vector, base: Ve
         if inside and (found is None or hole.radius > holes[found].radius):
             found = index
     return found
+
+
+def inside_of_rim(brep: Brep, axis: Axis, wall: Wall, low: float, high: float) -> Bore | None:
+    """The inside of a step that is a ring on spokes, as those of a grille are; None where it is none.
+
+    The windows between the spokes leave concave walls around its axis, as high as it is, along most of a turn.
+    """
+    turns: dict[float, float] = {}
+    for face in (brep.faces[i] for i in brep.bodies[wall.body].faces):
+        if face.kind is not SurfaceKind.CYLINDER or face.outward > 0 or face.radius >= wall.radius:
+            continue
+        if not parallel(face.axis, axis.direction, 1e-2) or axis.radius_of(face.origin) > 0.02 * wall.radius:
+            continue
+        ends = [axis.position(p) for edge in brep.face_edges[face.id] for p in brep.edges[edge].points]
+        if ends and reaches(min(max(ends), high) - max(min(ends), low), high - low):
+            radius = round(face.radius, 6)
+            turns[radius] = turns.get(radius, 0.0) + face.sweep
+    inside = max(turns, default=0.0)
+    return Bore(inside, wall.radius - inside, 0.0) if turns.get(inside, 0.0) > WINDOWS_RAD else None
