@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from querycad_contracts import Measure
-from querycad_language.forms import Check, Form, Get, Parts
+from querycad_language.forms import Check, Count, Form, Get, Parts
 from querycad_language.readings import read
 
 
@@ -29,6 +29,17 @@ def test_a_sum_is_of_any_measure_and_a_total_of_what_adds_up() -> None:
     assert sums.reduce == "total"
     assert isinstance(totals, Get)
     assert totals.reduce == "each"
+    depths = first("What is the total depth of the grooves?")
+    assert isinstance(depths, Get)
+    assert depths.reduce == "each"
+    lengths = first("What is the total length of the grooves?")
+    assert isinstance(lengths, Get)
+    assert lengths.reduce == "total"
+
+
+def test_how_much_parts_do_is_no_number_of_them() -> None:
+    assert not any(isinstance(r.form, Count) for r in read("How much do the plates overlap?"))
+    assert any(isinstance(r.form, Count) for r in read("Overlapping plates?"))
 
 
 def test_degrees_are_compared_with_an_angle() -> None:

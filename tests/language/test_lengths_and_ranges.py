@@ -21,6 +21,7 @@ def forms(question: str) -> list[Form]:
         ("Overall length of the bolt?", True),
         ("How long is the bolt from end to end?", True),
         ("Length of the bolt, head included?", True),
+        ("How long is the bolt below the head, chamfer included?", False),
         ("All over length of bolt, from head top to the tip?", True),
     ],
 )

@@ -89,3 +89,13 @@ def test_no_neck_is_a_collar() -> None:
     disc = part("boss-2", (0.02, 0.0, 0.0), tags=flat, radius=0.02, diameter=0.04)
     collar = PartQuery(noun="collar", words=("collar",), definite=True)
     assert ids(ground(inventory(neck, disc), collar)[0]) == {"boss-2"}
+
+
+def test_the_collar_of_a_screw_is_not_its_head() -> None:
+    flat = ("cylindrical", "circular", "flat")
+    head = part("boss-1", tags=(*flat, "land", "head"), radius=0.02, diameter=0.04)
+    below = part("boss-2", (0.0, 0.0, 0.02), tags=flat, radius=0.01, diameter=0.02)
+    collar = PartQuery(noun="collar", words=("collar",), definite=True)
+    assert ids(ground(inventory(head, below), collar)[0]) == {"boss-2"}
+    land = head.model_copy(update={"tags": (*flat, "land")})
+    assert ids(ground(inventory(land, below), collar)[0]) == {"boss-1"}

@@ -21,7 +21,7 @@ _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid
 _INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
 _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
 _BOLT_CIRCLE = PartQuery(noun="bolt circle", definite=True)
-_CLOSING = ("roof", "floor", "top", "bottom", "end wall")
+_CLOSING = ("roof", "floor", "top", "bottom", "end wall", "crown")
 _OUTER_ENDS = ("rim", "edge", "end", "end face", "face", "top", "top face", "outer edge")
 _FLANKS = ("flank", "side", "wall", "side wall")
 _BOUNDS = {

@@ -24,9 +24,9 @@ from .related_parts import floored, of_related, within
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
 ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
-_STACKED = frozenset((Measure.THICKNESS, Measure.WIDTH, Measure.DEPTH))
+_STACKED = frozenset((Measure.THICKNESS, Measure.WIDTH))
 """Measures that add up where 'total' stands right before them."""
-_ALONG = (*_STACKED, Measure.LENGTH, Measure.HEIGHT, *SIZES)
+_ALONG = (*_STACKED, Measure.DEPTH, Measure.LENGTH, Measure.HEIGHT, *SIZES)
 MOST_TOGETHER = 3  # measures of one part that people ask for in one sentence
 _SHARED = (Reduce.DIFFERENT, Reduce.MEAN, Reduce.RANGE, Reduce.TOTAL)
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, *_SHARED)
@@ -117,7 +117,7 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
         features["asked_vector"] = 1.0
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
     overall = {i for i in range(asked.start - 2, asked.start) if text.is_word(i, *words)}
-    counted = text.at_words("incl", "included", "including") and not text.has("not")
+    counted = text.at_words("incl", "included", "including") and not (text.has("not") or places_of(target, "below"))
     reduce = Reduce.EACH if counted and reduce is Reduce.TOTAL else reduce  # 'total length, head included'
     behind = asked.measures[0] in _ALONG and (counted or text.at_words("overall"))  # 'how long is it overall'
     if overall or behind or text.is_word(asked.start, *{"overall", "total"} & words):
