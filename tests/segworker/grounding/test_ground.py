@@ -305,6 +305,11 @@ def test_in_what_the_model_lacks_there_may_be_nothing() -> None:
     without = ground(PLATE, asked(places=(gear.model_copy(update={"negated": True}),)))
     assert ids(without[0]) == {"hole-1", "hole-2", "hole-3"}
     assert not without[0].unchecked
+    rib = Place(relation="with", what=PartQuery(noun="rib", words=("rib",)), negated=True)
+    lone = PartQuery(noun="slot", words=("slot",), places=(rib,))
+    assert ground(PLATE, lone)[0].unchecked == ("'with rib'",)  # less it: the only slot is not chosen by it
+    several = ground(PLATE, asked(places=(rib,)))
+    assert any("trait_holds" in way.features and not way.unchecked for way in several)
 
 
 def test_what_lies_in_the_other_half_is_not_at_that_end() -> None:

@@ -42,15 +42,15 @@ def _at_place(request: Request, way: Candidate, place: Place, holders: Sequence[
         return [*held, way.to(way.parts, "purpose")]
     said = f"'{place.relation} {place.what.noun}'".replace("' ", "'")
     none = way.to(way.parts, f"{name}_holds") if place.negated else way.to((), "place_absent")
-    absent = [] if holders and holders[0].parts else [none]  # all holes are without a thread where there is none
+    less = place.negated and len(way.parts) == 1 and not request.query.plural  # 'the rack without teeth': less them
+    absent = [] if less or (holders and holders[0].parts) else [none]  # all are without a thread where there is none
     if not there:
         return [way.to(way.parts, f"{name}_unknown", unchecked=said), *absent]
     dropped = way.to(way.parts, f"{name}_dropped", unchecked=said)
     if ways[0] or _are_among(way, place, there[0].parts):
         return [*held, dropped, *absent]
     empty = way.to((), f"{name}_empties").to((), f"{name}_score", _worth(there[0]))
-    if _is_elsewhere(request, way, place, there[0].parts):
-        empty = empty.to((), "place_elsewhere")
+    empty = empty.to((), "place_elsewhere") if _is_elsewhere(request, way, place, there[0].parts) else empty
     return [*(one.to(one.parts, "place_denied") for one in (*held, dropped)), empty, *absent]
 
 
