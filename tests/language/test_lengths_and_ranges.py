@@ -41,3 +41,10 @@ def test_a_length_over_all_is_told_from_that_of_the_standard(question: str, over
 def test_a_range_is_the_smallest_and_the_largest_value(question: str, reduce: Reduce) -> None:
     get = next(form for form in forms(question) if isinstance(form, Get) and form.target is not None)
     assert get.reduce is reduce
+
+
+@pytest.mark.parametrize(("question", "socket"), [("What allen key fits it?", True), ("What spanner fits it?", False)])
+def test_an_allen_key_goes_in_a_socket(question: str, socket: bool) -> None:
+    gets = [form for form in forms(question) if isinstance(form, Get) and form.measures == (Measure.ACROSS_FLATS,)]
+    assert gets
+    assert any(get.target is not None and get.target.noun == "hex socket" for get in gets) is socket

@@ -21,7 +21,6 @@ _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid
 _INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
 _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
 _BOLT_CIRCLE = PartQuery(noun="bolt circle", definite=True)
-_CLOSING = ("roof", "floor", "top", "bottom", "end wall", "crown")
 _OUTER_ENDS = ("rim", "edge", "end", "end face", "face", "top", "top face", "outer edge")
 _FLANKS = ("flank", "side", "wall", "side wall")
 _BOUNDS = {
@@ -41,7 +40,6 @@ _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
 }  # fmt: skip
 """What a measure is at one end or on one side, and the words for those, which follow one of these within so many."""
 _AT, _NEAR = ("at", "on", "pierce", "enter", "meet", "cross", "leave", "cut", "hit", "exit"), 6
-_TUBES = ("ring", "pipe", "cavity")
 _OWNERS = {Measure.ROOT_DIAMETER: "gear", Measure.CENTRELINE_RADIUS: "bend", Measure.DRAFT: "cone"}
 """What has a measure that the whole has not."""
 
@@ -60,6 +58,8 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     match get.measures:
         case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
             yield _of(replace(get, measures=(Measure.THICKNESS,)), parse, PartQuery(noun="floor", definite=True))
+        case (Measure.ACROSS_FLATS,) if get.target is None and question.text.has("allen"):  # 'what allen key fits it'
+            yield _of(get, parse, PartQuery(noun="hex socket", words=("hex", "socket"), definite=True))
         case (measure,) if measure in _OWNERS and (get.target is None or measure is Measure.ROOT_DIAMETER):
             yield _of(get, parse, PartQuery(noun=_OWNERS[measure], definite=True))
 
@@ -77,7 +77,7 @@ def _of_piece(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator
         case (Measure.THICKNESS,) if target.noun == "wall" and not target.adjectives:
             for _, of in places_of(target, "of", "around", "")[:1]:  # 'the thickness of the wall of the standoff'
                 yield _of(replace(get, measures=(Measure.WALL_THICKNESS,)), parse, of, "its_walls")
-        case (Measure.THICKNESS,) if target.noun in _CLOSING:  # 'the top of the cap'
+        case (Measure.THICKNESS,) if target.noun in ("roof", "floor", "top", "bottom", "end wall", "crown"):  # of a cap
             yield _of(replace(get, measures=(Measure.BOTTOM_THICKNESS,)), parse, within(None), "closes_inside")
         case (Measure.POSITION,) if (cut := floored(target)) is not None:
             yield _of(replace(get, measures=(Measure.FLOOR_CENTER,)), parse, cut)
@@ -226,7 +226,7 @@ def within(target: Target) -> PartQuery:
 def is_cut(target: Target) -> bool:
     """Is it a space, not what is around one?"""
     kinds = kinds_of(target)
-    return bool(kinds) and all(PartKind(kind).cuts_in or kind in _TUBES for kind in kinds)
+    return bool(kinds) and all(PartKind(kind).cuts_in or kind in ("ring", "pipe", "cavity") for kind in kinds)
 
 
 def floored(query: PartQuery) -> PartQuery | None:
