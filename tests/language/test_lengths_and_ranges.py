@@ -43,7 +43,9 @@ def test_a_range_is_the_smallest_and_the_largest_value(question: str, reduce: Re
     assert get.reduce is reduce
 
 
-@pytest.mark.parametrize(("question", "socket"), [("What allen key fits it?", True), ("What spanner fits it?", False)])
+@pytest.mark.parametrize(
+    ("question", "socket"), [("What allen key turns the stud?", True), ("What spanner turns the stud?", False)]
+)
 def test_an_allen_key_goes_in_a_socket(question: str, socket: bool) -> None:
     gets = [form for form in forms(question) if isinstance(form, Get) and form.measures == (Measure.ACROSS_FLATS,)]
     assert gets

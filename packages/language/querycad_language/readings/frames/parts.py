@@ -146,5 +146,5 @@ def bare(question: Question) -> Iterator[Parse]:
             get = Get((_named_by(query),), query)
             yield Parse(get, {"named_only": 1.0}, mention.used)
             yield from material(question, get, {"named_only": 1.0}, mention.used)  # 'the wall between the keyways'
-            if query.plural and not question.text.has("much"):  # 'how much do the plates overlap'
+            if query.plural and not question.text.has("much"):  # 'how much do the straps overlap'
                 yield Parse(Count(query), {"named_only": 1.0}, mention.used)

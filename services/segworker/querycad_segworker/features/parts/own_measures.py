@@ -56,7 +56,7 @@ def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
     rings = [
         part for part in result if part.kind == "torus" and part.tube_diameter is not None and "outer" in part.tags
     ]
-    wrenched = [p for p in result if p.across_flats and (p.kind in ("boss", "prism") or "hexagonal" in p.tags)]
+    wrenched = [p for p in result if p.across_flats and (p.kind.stands_out or "hexagonal" in p.tags)]
     bends = [part for part in result if part.kind == "bend" and part.thickness and part.axis]
     if not rings and not wrenched and not bends:
         return result
@@ -74,7 +74,11 @@ def _of_wrenched(body: Part, wrenched: Sequence[Part]) -> Part:
     own = set(body.faces)
     inside = [part for part in wrenched if own.issuperset(part.faces)]
     hexagons = [part for part in inside if part.kind == "prism" and "hexagonal" in part.tags]
-    flats = [part for part in inside if part.kind in ("boss", "prism")] if "circular" in body.tags else []
+    flats = (
+        [part for part in inside if part.kind.stands_out and part.kind != "protrusion"]
+        if "circular" in body.tags
+        else []
+    )
     found = hexagons or flats or [part for part in inside if part.kind in OPENINGS]
     if len(found) != 1:
         return body
