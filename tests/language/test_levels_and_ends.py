@@ -8,7 +8,7 @@ from tests.made import body, part, whole
 from querycad_answering.programs import write
 from querycad_answering.programs.meanings import options
 from querycad_contracts import Measure, Part, PartQuery, Side
-from querycad_language.forms import SHORTER, Check, Distance, Form, Get, Plane, Towards
+from querycad_language.forms import SHORTER, Boundary, Check, Distance, Form, Get, Plane, Towards
 from querycad_language.readings.frames.distances import overhangs
 from querycad_language.readings.question import Question
 from querycad_language.readings.reader import read
@@ -287,3 +287,26 @@ def test_what_stands_out_of_a_face_does_so_of_what_has_it() -> None:
     assert ("lug", "pad") in beyond("How far does the lug stick out past the pad's surface?")
     assert ("lug", "web") not in beyond("How far does the lug stick out beyond the inner face of the web?")
     assert ("lug", "floor") in beyond("How far does the lug stick out beyond the floor of the pocket?")
+
+
+@pytest.mark.parametrize(
+    ("question", "form"),
+    [
+        (
+            "What is the radius on the inside of the bend?",
+            Get((Measure.INNER_RADIUS,), PartQuery(noun="bend", words=("bend",), definite=True)),
+        ),
+        (
+            "How far below the rim does the lug stand?",
+            Distance(Plane(Side.TOP, PartQuery(noun="lug", words=("lug",), definite=True)), Boundary(Side.TOP)),
+        ),
+    ],
+)
+def test_the_inside_of_a_bend_and_the_rim_of_the_whole_are_meant_by_themselves(question: str, form: Form) -> None:
+    assert form in forms(question)
+
+
+def test_a_diagonal_between_parts_is_their_distance() -> None:
+    found = [one for one in forms("What is the diagonal between two opposite lugs?") if isinstance(one, Distance)]
+    assert any(one.mode == "centers" and one.second == "each other" for one in found)
+    assert not any(isinstance(one, Distance) for one in forms("What is the diagonal of the lug?"))

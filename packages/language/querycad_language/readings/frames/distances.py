@@ -23,6 +23,7 @@ from .related_parts import floored, is_cut, rimmed
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
 NEAR = 3  # words between 'over the outsides' and the measure that it belongs to
 _ROUND = frozenset((PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY))
+_RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
 BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
@@ -126,6 +127,9 @@ def _distance_words(question: Question) -> Iterator[_Words]:
         if text.is_word(at, "how"):
             yield from _how(text, at)
         elif measure := text.find(at, "measure"):
+            diagonal = measure.value in (Measure.DIAGONAL, Measure.ACROSS_CORNERS)
+            if diagonal and text.is_word(measure.end, "between"):  # 'the diagonal between two opposite holes'
+                yield _Words(at, measure.end, "centers", {*measure.tokens, measure.end})
             ahead = text.at_words("above", "over", "below", "between", "from", "off", "to") - text.covered("over_all")
             if measure.value in _APART and any(i >= measure.end for i in ahead):
                 yield _Words(at, measure.end, "centers" if measure.value in _HIGH else "surfaces", set(measure.tokens))
@@ -367,6 +371,10 @@ def overhangs(question: Question) -> Iterator[Parse]:
         around = {i for at in text.at_words("side", "end") if text.find(at - 1, "each") for i in (at - 1, at)}
         if around := around | text.at_words("sideways", "radially"):
             yield Parse(replace(form, mode="outsides"), {"overhang": 1.0}, used | around)
+    if text.is_word(word, "below") and other is not None and other.part.noun in _RIMS:  # 'how far below the rim'
+        down = Side.BOTTOM if reach and reach.value is Measure.DEPTH else Side.TOP
+        level = next((Plane(Side.TOP, what) for _, what in places_of(other.part, "of")), Boundary(Side.TOP))
+        yield Parse(Distance(Plane(down, first.part), level), {"overhang": 1.0, "level_top": 1.0}, used)
     own = next((one for one in planes_of(question) if one.used & first.used), None)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
         standing = without(first.part, place)

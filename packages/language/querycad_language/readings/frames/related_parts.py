@@ -169,6 +169,10 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
             yield _of(replace(get, measures=tuple(along)), parse, target, "turning")
         case (Measure.WIDTH,) if (cut := floored(target)) is not None:  # 'how wide is the floor of the groove'
             yield _of(replace(get, measures=(Measure.BOTTOM_WIDTH,)), parse, cut)
+        case (Measure.INNER_RADIUS | Measure.OUTER_RADIUS | Measure.RADIUS,) if target.noun in ("inside", "outside"):
+            said = _INSIDE[0] if target.noun == "inside" else _OUTSIDE[0]  # 'the radius on the inside of the bend'
+            for _, bend in places_of(target, "of")[:1]:
+                yield _of(replace(get, measures=(said,)), parse, bend, "there")
         case (measure,) if target.noun in _BOUNDS.get(measure, ()):
             for _, holder in places_of(target, "of", ""):
                 if is_cut(holder):
