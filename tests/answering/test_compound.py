@@ -92,6 +92,7 @@ def test_what_is_asked_of_several_is_several_questions(question: str, said: tupl
         "The cover has a lug, 4 mm high and of 3 mm width. How long is the slot?",
         "In which direction does the slot run, as a unit vector in model coordinates?",
         "How many lugs are there, all widths together?",
+        "What width has the slot, a single number",
         "How many lugs in total, on both slots?",
         "How many lugs cross the slot, counting each full-width lug as one?",
         "What is the distance of the lug and the rib?",

@@ -39,6 +39,7 @@ def test_a_sum_is_of_any_measure_and_a_total_of_what_adds_up() -> None:
 
 def test_how_much_parts_do_is_no_number_of_them() -> None:
     assert not any(isinstance(r.form, Count) for r in read("How much do the two straps overlap?"))
+    assert any(isinstance(r.form, Count) for r in read("How much straps are there?"))  # as one asks who learns English
     assert any(isinstance(r.form, Count) for r in read("Overlapping straps?"))
 
 

@@ -246,6 +246,8 @@ def _asks(asked: Question) -> list[set[int]]:
     ahead += [at for at in text.at_words("how") if text.is_word(at + 1, "far", "close")]
     found += [{at} for at in ahead if not any(at in each for each in found)]
     for span in text.all("count", "distance", "gap", "center_to_center"):
+        if span.category == "count" and text.find(span.start - 1, "number"):
+            continue  # 'just one number'
         known = found if span.category in ("count", "gap") else [named, *found]
         adds = span.category == "center_to_center" and text.sentences[asked.sentence_of(span.start)][0] != span.start
         if not (adds or any(each & set(span.tokens) for each in known) or _is_place(asked, span.start)):

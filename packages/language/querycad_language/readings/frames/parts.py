@@ -146,5 +146,6 @@ def bare(question: Question) -> Iterator[Parse]:
             get = Get((_named_by(query),), query)
             yield Parse(get, {"named_only": 1.0}, mention.used)
             yield from material(question, get, {"named_only": 1.0}, mention.used)  # 'the wall between the keyways'
-            if query.plural and not question.text.has("much"):  # 'how much do the straps overlap'
+            verb = any(question.text.find(i + 1, "be", "do", "have") for i in question.text.at_words("much"))
+            if query.plural and not verb:  # not 'how much do the straps overlap', but 'how much holes' by who learns
                 yield Parse(Count(query), {"named_only": 1.0}, mention.used)
