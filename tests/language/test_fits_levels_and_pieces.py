@@ -91,7 +91,7 @@ def test_spacings_are_along_a_part_and_across_it() -> None:
 
 def test_a_size_along_the_long_and_the_short_side_is_two_measures() -> None:
     sides = (Measure.LONG_SIDE, Measure.SHORT_SIDE)
-    for question in ("How big is the flange, long way and short way?", "Flange size? Long side, short side"):
+    for question in ("How big is the flange, long way and short way?", "Spacer size? Long side, short side"):
         assert sides in {form.measures for form in forms(question) if isinstance(form, Get)}
     three = forms("What is the size of the flange: long way, short way, thickness?")
     assert sides not in {form.measures for form in three if isinstance(form, Get)}
@@ -181,7 +181,7 @@ def test_the_point_angle_of_a_hole_is_that_of_its_conical_bottom(question: str) 
 
 
 def test_the_included_angle_of_a_vee_is_that_of_its_flanks() -> None:
-    found = [target.noun for target in targets("What is the included angle of the vee?", Measure.INCLUDED_ANGLE)]
+    found = [target.noun for target in targets("Which included angle does the vee have?", Measure.INCLUDED_ANGLE)]
     assert "vee" in found
     assert "conical bottom" not in found
 

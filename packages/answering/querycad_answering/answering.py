@@ -186,7 +186,9 @@ def _told(understanding: Understanding, terms: _Terms) -> _Outcome | None:
 
 def _compound(understanding: Understanding, terms: _Terms) -> AnswerRecord | None:
     """What comes of several questions in one; None for any other."""
-    best = understanding.likeliest(terms.timed_run) if understanding.refused is None else None
+    best = None
+    if understanding.refused is None:
+        best = terms.clock.timed("codegen", lambda: understanding.likeliest(terms.timed_run))
     asked = clauses(understanding.reader, best)
     alone = AnswerOptions(codegen=Codegen.PARSER, least_confidence=terms.least)
     records = [

@@ -127,7 +127,11 @@ def of_all_pairs(found: Sequence[Part], relation: str, holders: Sequence[Part]) 
             return next_to() or [p for p, gap in zip(others, gaps, strict=True) if gap <= min(gaps) + RING_M]
         case "between":
             apart = [p for p in found if p.id not in ids and lies_between(p, holders)]
-            return [p for p in apart if lies_between(p, holders, whole=True)] or apart
+            able = [
+                p for p in found if p.kind in ("rib", "wall", "bend", "fillet", "round", "chamfer") and p.id not in ids
+            ]
+            meeting = [p for p in able if sum(touches(p, h) for h in holders) > 1]
+            return [p for p in apart if lies_between(p, holders, whole=True)] or apart or meeting
         case "around":
             ring = {p.id for h in holders for p in surrounding(found, h)}
             edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]

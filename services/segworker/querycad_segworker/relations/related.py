@@ -13,7 +13,7 @@ from .nearby import Nearby, to_nearest
 from .places import coaxial, encloses, surrounding, touches
 
 STANDING_OUT = frozenset(kind for kind in PartKind if kind.stands_out) | {PartKind.BODY}
-_JOINS = frozenset(kind for kind in PartKind if kind.stands_out or kind.breaks_edge) | {PartKind.WALL, PartKind.BEND}
+_JOINS = frozenset(kind for kind in PartKind if kind.breaks_edge) | {PartKind.RIB, PartKind.WALL, PartKind.BEND}
 DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
 """(axis, sign) of words for places beside others."""
 
